@@ -1,0 +1,45 @@
+// The sphere: hit or miss, where, and the surface there.
+#include "chapters/02_spheres/sphere.hpp"
+
+#include "common/math/error.hpp"
+#include "common/math/todo.hpp"
+
+#include <cmath>
+
+namespace rt {
+
+Roots intersections(const Sphere& sphere, const Ray& ray) {
+    // 02.2  Return the roots of a·t² + 2·h·t + c = 0 for this line and this sphere. Compute the
+    // discriminant from w, the vector from the centre to the point of the line nearest to it.
+    return todo("02.2");
+}
+
+std::optional<Hit> intersect(const Sphere& sphere, const Ray& ray, Interval range) {
+    // 02.3  Return a Hit with the smallest root in the range, or std::nullopt. Leave the Hit's
+    // other fields as they are.
+    return todo("02.3");
+}
+
+Surface surface_at(const Sphere& sphere, const Ray& ray, const Hit& hit) {
+    Surface surface;
+    // 02.4  Set the surface's normal, shading_normal, point and uv. The vector from the centre to
+    // the hit gives the normal; the point is where that normal, times the radius, ends.
+    return todo("02.4");
+
+    // How far rounding has moved the point from the sphere, an axis at a time; chapter 6 derives it.
+    surface.error = gamma(6) * abs(sphere.radius * surface.normal) + gamma(2) * abs(surface.point);
+    return surface;
+}
+
+std::optional<Hit> closest_hit(std::span<const Sphere> spheres, const Ray& ray, Interval range) {
+    // 02.5  Return the nearest hit of all, with `primitive` the index of its sphere; of equal
+    // distances the lowest index wins.
+    return todo("02.5");
+}
+
+bool any_hit(std::span<const Sphere> spheres, const Ray& ray, Interval range) {
+    // 02.5  Return whether any sphere is hit in the range, and stop at the first that is.
+    return todo("02.5");
+}
+
+}  // namespace rt

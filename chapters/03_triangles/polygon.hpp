@@ -1,0 +1,43 @@
+// Planar polygons: hit the plane, then look inside.
+#pragma once
+
+#include "common/scene/hit.hpp"
+#include "common/scene/shapes.hpp"
+
+#include <optional>
+#include <span>
+
+namespace rt {
+
+/// [03.1] The plane through a polygon's first vertex, its normal by Newell's method (Sutherland, Sproull &
+/// Schumacker 1974): not a unit vector, its length is twice the area; counterclockwise vertices are seen
+/// from the side it points to. Zero for a polygon without area.
+Plane supporting_plane(std::span<const Vec3> vertices);
+
+/// [03.2] The axis (0, 1, 2 for x, y, z) along which a polygon with this normal has the largest shadow:
+/// that of the greatest |component|, the first of equal ones.
+int dominant_axis(const Vec3& normal);
+
+/// [03.2] The point without its coordinate `axis`; the two that remain, in cyclic order
+/// (axis x leaves (y, z), y leaves (z, x), z leaves (x, y)).
+Vec2 project(const Vec3& point, int axis);
+
+/// [03.2] Whether the point is inside the polygon by the even-odd rule, crossings counted along +x
+/// (Shimrat 1962; each edge owns its lower end, so that a vertex is never counted twice). Polygons that
+/// share an edge and lie on its two sides never both contain a point, nor both leave it out.
+bool point_in_polygon(std::span<const Vec2> polygon, const Vec2& point);
+
+/// [03.2] Hit of the ray with the polygon in (range.min, range.max], or nothing. Both sides count; a
+/// polygon without area is missed.
+std::optional<Hit> intersect(const Polygon& polygon, const Ray& ray, Interval range);
+
+/// The surface at a hit; both normals are that of the plane. Given.
+Surface surface_at(const Polygon& polygon, const Ray& ray, const Hit& hit);
+
+/// Nearest of the hits with all the polygons, as for planes. Given.
+std::optional<Hit> closest_hit(std::span<const Polygon> polygons, const Ray& ray, Interval range);
+
+/// Whether any polygon is hit in the range. Given.
+bool any_hit(std::span<const Polygon> polygons, const Ray& ray, Interval range);
+
+}  // namespace rt

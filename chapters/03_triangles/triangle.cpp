@@ -1,0 +1,115 @@
+// Triangles: barycentric coordinates, the watertight test, smooth normals.
+#include "chapters/03_triangles/triangle.hpp"
+
+#include "common/math/error.hpp"
+#include "common/math/todo.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+
+Vec3 unit_vector(const Vec3& v) {
+    const Real greatest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(greatest > 0)) return Vec3(0);
+    // Brought to size 1 first: the squares of very long and very short vectors leave the range of Real.
+    const Vec3 scaled = v / greatest;
+    return scaled / glm::length(scaled);
+}
+
+Vec3 unit_normal(const Triangle& triangle) {
+    // 03.3  The unit normal: the cross product of the edges from a to b and from a to c.
+    // Make the edges unit vectors before you multiply them (unit_vector is given): their product then
+    // neither overflows nor underflows, and its length is the sine of the angle between them. If that is at
+    // most 8 · unit_roundoff, rounding alone may have made it: return zero, the sign of "no area".
+    return todo("03.3");
+}
+
+std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point) {
+    // 03.3  The weights of the corners. The weight of a corner is the area of the triangle that
+    // the point spans with the other two corners, over the area of the whole. Areas have a sign:
+    // take the component of the cross product along the unit normal.
+    return todo("03.3");
+}
+
+Real edge_function(const Vec2& p, const Vec2& q) {
+    // 03.4  p.x·q.y − p.y·q.x, nearly as if without rounding. Where the two products nearly cancel,
+    // what their rounding took away decides: std::fma(x, y, -xy) is exactly x·y − xy, where xy is the rounded
+    // product. Take it into account for both products, so that (q, p) gets the opposite of (p, q).
+    return todo("03.4");
+}
+
+namespace {
+
+/// All that the watertight test needs of a ray.
+struct ShearedRay {
+    Vec3 origin{0};
+    /// Renames the coordinates, so that the direction's greatest one becomes z, and shears the others so that
+    /// the direction's x and y become 0: to this map the ray is the z axis.
+    Mat3 to_z_axis{1};
+    Real direction_z = 1;  ///< the direction's greatest coordinate, with its sign
+};
+
+ShearedRay shear(const Ray& ray) {
+    // 03.4  Let z be the axis in which |direction| is greatest, x and y the next two in cyclic order.
+    // The map has the rows x − (d.x/d.z)·z, y − (d.y/d.z)·z and z; a matrix of GLM is indexed m[column][row],
+    // and a column says what becomes of one coordinate of the world.
+    return todo("03.4");
+}
+
+std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, Interval range) {
+    // 03.4  The watertight test.
+    //   1. Subtract the ray's origin from each corner and map it: its x and y are now its place as the ray
+    //      sees it, with the ray at (0, 0).
+    //   2. The edge functions of (c, b), (a, c) and (b, a) are the weights u, v, w of a, b, c, still to be
+    //      divided by their sum. Two different signs: a miss. All three zero: edge-on, a miss.
+    //   3. The weighted mean of the corners' z, over the direction's z, is t. Is it in the range?
+    //   4. A triangle without area (unit_normal) is missed, even where rounding made one up.
+    return todo("03.4");
+}
+
+}  // namespace
+
+std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval range) {
+    return intersect(triangle, shear(ray), range);
+}
+
+Surface surface_at(const Triangle& triangle, const Ray&, const Hit& hit) {
+    const Real weight_a = 1 - hit.uv.x - hit.uv.y;
+    Surface surface;
+    // 03.5  Fill in point (the weighted sum of the corners: it lies better on the triangle than
+    // origin + t · direction does), normal, shading_normal (the same) and uv.
+    return todo("03.5");
+    // Given; chapter 6 derives it. The point: two roundings in weight_a, one in each product, two in the sum,
+    // and two to cover those of this line. The next ray: one that starts at the point finds the corners, and
+    // so the plane through them, no better than to a few roundings of their distance.
+    const Vec3 size = glm::abs(weight_a * triangle.a) + glm::abs(hit.uv.x * triangle.b) +
+                      glm::abs(hit.uv.y * triangle.c);
+    const Vec3 reach = glm::max(glm::max(glm::abs(triangle.a - surface.point), glm::abs(triangle.b - surface.point)),
+                                glm::abs(triangle.c - surface.point));
+    surface.error = gamma(7) * size + Vec3(gamma(8) * std::max({reach.x, reach.y, reach.z}));
+    return surface;
+}
+
+Vec3 interpolate(const TriangleNormals& normals, const Vec2& uv, const Vec3& flat) {
+    // 03.5  The weighted sum of the three unit normals, made a unit vector; `flat` if it is zero.
+    return todo("03.5");
+}
+
+Vec2 interpolate(const TriangleUvs& uvs, const Vec2& uv) {
+    // 03.5  The weighted sum of the three texture coordinates.
+    return todo("03.5");
+}
+
+std::optional<Hit> closest_hit(std::span<const Triangle> triangles, const Ray& ray, Interval range) {
+    // 03.6  The nearest hit; shear the ray once, not once a triangle. Shrinking the range as hits
+    // are found saves work, but it includes its end: an equally near triangle that comes later must not win.
+    return todo("03.6");
+}
+
+bool any_hit(std::span<const Triangle> triangles, const Ray& ray, Interval range) {
+    // 03.6  Whether there is a hit at all; the first one found is enough.
+    return todo("03.6");
+}
+
+}  // namespace rt

@@ -1,0 +1,52 @@
+// Affine maps: matrices, their stack, their inverse, and what they do to points, vectors, normals and rays.
+#pragma once
+
+#include "common/math/ray.hpp"
+#include "common/scene/scene.hpp"
+#include "common/scene/world.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace rt {
+
+/// [04.1] Matrix that moves points by `by` and leaves directions alone.
+Mat4 translation(const Vec3& by);
+
+/// [04.1] Matrix that multiplies each coordinate by its factor.
+Mat4 scaling(const Vec3& by);
+
+/// [04.2] Matrix that rotates by `angle` radians about `axis` through the origin, counterclockwise seen
+/// from the axis's tip (Rodrigues 1840). The axis may have any length but 0.
+Mat4 rotation(const Vec3& axis, Real angle);
+
+/// The matrix of one step. Given.
+Mat4 matrix(const TransformStep& step);
+
+/// [04.3] The matrix stack of a scene file: for each node of the tree its matrix, which is its parent's
+/// times its own step's; the last step written acts first on a point. Parents stand before children.
+std::vector<Mat4> compose(std::span<const TransformNode> nodes);
+
+/// [04.4] Inverse of an affine matrix by elimination with pivoting (rows scaled first), or nothing if the
+/// matrix is singular to working precision: no pivot, an infinity or a NaN. ‖MM⁻¹ − I‖ ≤ 8uκ(M).
+std::optional<Mat4> inverse(const Mat4& m);
+
+/// [04.5] M·(p, 1): points feel the translation.
+Vec3 transform_point(const Mat4& m, const Vec3& p);
+
+/// [04.5] M·(v, 0): directions do not.
+Vec3 transform_vector(const Mat4& m, const Vec3& v);
+
+/// [04.5] Normal of the image of a surface: the transpose of the inverse, times n. `inverse` is the map
+/// from the image back. Not of unit length.
+Vec3 transform_normal(const Mat4& inverse, const Vec3& n);
+
+/// [04.5] The ray in the local space of `transform`; its direction is not made a unit vector, so that t
+/// means the same point in both spaces.
+Ray to_local(const Transform& transform, const Ray& ray);
+
+/// A surface from the local space of `transform` to world space: point, error bound, normals. Given.
+Surface to_world(const Transform& transform, const Surface& local);
+
+}  // namespace rt

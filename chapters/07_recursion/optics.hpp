@@ -1,0 +1,34 @@
+// Optics of a smooth surface: where light goes, and how much of it.
+#pragma once
+
+#include "common/math/vec.hpp"
+
+#include <optional>
+
+namespace rt {
+
+/// [07.1] Mirror direction d − 2(d·n)n. n: unit; d: any length, which is kept.
+Vec3 reflect(const Vec3& d, const Vec3& n);
+
+/// [07.2] Refracted unit direction by Snell's law, or nothing where reflection is total.
+///
+/// d: unit, towards the surface; n: unit, against d (d·n ≤ 0); `eta` = ior before / ior behind the surface.
+/// The sign of 1 − eta²·sin² is looked at before its root is taken, so no NaN ever appears; at exactly the
+/// critical angle the direction lies in the surface.
+std::optional<Vec3> refract(const Vec3& d, const Vec3& n, Real eta);
+
+/// [07.3] Reflected part R of unpolarised light at a dielectric, exactly (Fresnel 1823); the transmitted
+/// part is 1 − R. `cos_i` = |d·n| in [0, 1]; eta as in refract. 1 where reflection is total and where
+/// grazing.
+Real fresnel(Real cos_i, Real eta);
+
+/// [07.3] The same by Schlick's approximation F0 + (1 − F0)(1 − cos)⁵ (1994). The cosine is that on the
+/// thinner side: for eta > 1 the transmitted angle's.
+Real schlick(Real cos_i, Real eta);
+
+/// [07.4] Part of the light left after `distance` in a medium: exp(−absorption · distance) a channel
+/// (Bouguer 1729, Lambert 1760, Beer 1852). distance ≥ 0; no NaN for infinite distance: 1 where absorption is
+/// 0, else 0.
+Vec3 transmitted(const Vec3& absorption, Real distance);
+
+}  // namespace rt

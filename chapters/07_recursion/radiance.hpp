@@ -1,0 +1,54 @@
+// The tree of rays: Whitted's ray tracer (1980).
+#pragma once
+
+#include "common/scene/query.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace rt {
+
+enum class RayKind { Camera, Reflection, Refraction };
+
+/// Which transparent objects a ray is inside of, in the order of entering; the last one's medium is the
+/// one around the ray. More than eight nested at once are not kept: the ninth counts as not entered.
+struct Media {
+    std::array<Medium, 8> inside{};
+    std::uint32_t count = 0;
+};
+
+/// One ray of the tree.
+struct Branch {
+    Ray ray;         ///< direction of unit length
+    Vec3 weight{1};  ///< how much of its radiance arrives at the pixel
+    int depth = 0;   ///< bounces so far
+    RayKind kind = RayKind::Camera;
+    Media media;
+};
+
+/// The rays that a surface sends on: reflection first, then refraction.
+struct Branches {
+    std::array<Branch, 2> branch;
+    int count = 0;
+};
+
+/// [07.4] The media after crossing the surface of `medium.object`: left if the ray was inside of it, else
+/// entered. The order of the others stays.
+Media cross(const Media& media, Medium medium);
+
+/// [07.5] The rays that go on from a hit, with their weights: mirrored and refracted.
+///
+/// `incoming.weight` already contains the absorption on the way to the hit. An opaque material (transmission
+/// 0) sends one mirror ray with the factor `specular`. A transparent one sends a mirror ray with the factor R,
+/// its Fresnel reflectance (`specular` where it has none), and a refracted ray with (1 − R) · transmission;
+/// where reflection is total the refracted ray's share goes along the mirror direction. A ray none of
+/// whose weights is greater than world.min_contribution is left out, and all are once incoming.depth has
+/// reached world.max_depth.
+Branches scatter(const World& world, const Branch& incoming, const Hit& hit, const Surface& surface,
+                 const Material& material);
+
+/// [07.6] Radiance along a camera ray: the sum over its tree, walked with a stack on the heap whose height is
+/// at most world.max_depth + 1. Adds the rays it spawns to ray_counts().
+Vec3 radiance(const World& world, const Ray& ray);
+
+}  // namespace rt

@@ -1,0 +1,265 @@
+// The command line: what can be asked for, help with examples, and one line for what is wrong.
+#include "common/app/commands.hpp"
+
+#include "common/app/catalogue.hpp"
+#include "common/app/references.hpp"
+#include "common/app/tour.hpp"
+#include "common/math/input_error.hpp"
+#include "common/math/todo.hpp"
+#include "common/scene/suggest.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <functional>
+
+namespace rt {
+
+namespace {
+
+/// What the chosen command will do, once the whole line has been understood.
+using Action = std::function<int()>;
+
+/// The command line: CLI11's description of it, and what it has filled in.
+struct Line {
+    CLI::App app{"A ray tracing course: chapters to write, tests that judge them, scenes that show them.",
+                 "./course"};
+    Action action = [this] { return run_status(json); };
+
+    bool json = false, all = false, spoil = false, quick = false, make = false;
+    std::string step, chapter;
+    std::filesystem::path scene, output;
+    CheckCommand check;
+    RenderCommand render;
+    CompareCommand compare;
+    ExplainCommand explain;
+    TraceCommand trace;
+    TourOptions tour;
+    ReferencesOptions references;
+
+    CLI::App* command(const std::string& name, const std::string& what, const std::string& example,
+                      const Action& run) {
+        CLI::App* sub = app.add_subcommand(name, what);
+        sub->footer("Example:\n  ./course " + example);
+        sub->add_flag("--json", json, "one JSON object on standard output, nothing else there");
+        sub->callback([this, run] { action = run; });
+        return sub;
+    }
+};
+
+constexpr const char* for_maintainers = "For maintainers";
+
+void add_learning(Line& line) {
+    CLI::App* sub = line.command("check",
+                                 "build and test your code: chapters (02), steps (02.1), or the chapter in "
+                                 "progress",
+                                 "check 02", [&line] { return run_check(line.check); });
+    sub->add_option("what", line.check.targets, "chapters or steps, such as 02 or 02.1");
+    sub->add_flag("--solutions", line.check.solutions,
+                  "the solutions instead of your code; default: all chapters");
+
+    line.command("list", "chapters and steps with titles, points and state", "list",
+                 [&line] { return run_list(line.json); });
+
+    sub = line.command("hint", "one more hint for a step", "hint 02.1",
+                       [&line] { return run_hint(line.step, line.all, line.json); });
+    sub->add_option("step", line.step, "such as 02.1")->required();
+    sub->add_flag("--all", line.all, "all of them at once");
+
+    sub = line.command("reset", "a chapter or a step back to its start; your file is kept as a backup",
+                       "reset 02.1", [&line] { return run_reset(line.step, line.json); });
+    sub->add_option("what", line.step, "a chapter or a step, such as 02 or 02.1")->required();
+
+    sub = line.command("solution", "your code for a step, and the solution's", "solution 02.1",
+                       [&line] { return run_solution(line.step, line.spoil, line.json); });
+    sub->add_option("step", line.step, "such as 02.1")->required();
+    sub->add_flag("--spoil", line.spoil, "also before the step has passed");
+}
+
+void add_pictures(Line& line) {
+    CLI::App* sub = line.command("render", "a scene to a picture: .png, .pfm or .hdr",
+                                 "render references/02_spheres/normals.scene -o normals.png --preview",
+                                 [&line] { return run_render(line.render); });
+    sub->add_option("scene", line.render.scene, "the scene's file")->required();
+    sub->add_option("-o,--output", line.render.output,
+                    "the picture's file; default: as the scene says, else its name");
+    sub->add_option("--size", line.render.size, "width and height in pixels, such as 640x480");
+    sub->add_option("--threads", line.render.threads, "number of threads; default: one a core")
+        ->check(CLI::Range(1, 1024));
+    sub->add_option("--integrator", line.render.integrator,
+                    "raytrace, flat, directions, normals, uv or rasterize instead of what the scene says");
+    CLI::Option* solutions =
+        sub->add_flag("--solutions", line.render.solutions, "with the solutions of all chapters");
+    sub->add_flag("--mine", line.render.mine, "with your code for all chapters, also where it does not pass")
+        ->excludes(solutions);
+    sub->add_flag("--preview", line.render.preview, "show the picture in the terminal, too");
+    sub->add_flag("--lenient", line.render.lenient, "skip unknown commands of the scene with a warning");
+    sub->add_flag("--quiet", line.render.quiet, "no progress and no summary");
+
+    sub = line.command("compare", "how far a picture is from a reference",
+                       "compare mine.png references/02_spheres/normals.png --page compare.html",
+                       [&line] { return run_compare(line.compare); });
+    sub->add_option("image", line.compare.image, "a .png, .pfm or .hdr")->required();
+    sub->add_option("reference", line.compare.reference, "another of the same size")->required();
+    sub->add_option("--within", line.compare.within,
+                    "differences up to N/255 of the display's range pass; default 1")
+        ->check(CLI::Range(0, 255));
+    sub->add_option("--diff", line.compare.diff, "write a picture of the differences");
+    sub->add_option("--page", line.compare.page, "write a page with the pictures side by side");
+    sub->add_option("--encoding", line.compare.encoding, "of 8-bit files: srgb or linear; default srgb")
+        ->check(CLI::IsMember({"srgb", "linear"}));
+
+    sub = line.command("explain", "what a scene needs, what was left out and why, and which chapters draw it",
+                       "explain references/02_spheres/normals.scene",
+                       [&line] { return run_explain(line.explain); });
+    sub->add_option("scene", line.explain.scene, "the scene's file")->required();
+    sub->add_flag("--lenient", line.explain.lenient, "skip unknown commands of the scene with a warning");
+
+    sub = line.command("trace", "the ray tree of one pixel",
+                       "trace references/02_spheres/normals.scene 160 120",
+                       [&line] { return run_trace(line.trace); });
+    sub->add_option("scene", line.trace.scene, "the scene's file")->required();
+    sub->add_option("x", line.trace.x, "the pixel's column, from 0 at the left")->required();
+    sub->add_option("y", line.trace.y, "the pixel's row, from 0 at the top")->required();
+    sub->add_option("--against", line.trace.against,
+                    "solutions: your tree beside theirs, to the first difference");
+
+    sub = line.command("export", "a scene for POV-Ray",
+                       "export references/02_spheres/normals.scene -o normals.pov", [&line] {
+                           const int status = run_export(line.scene, line.output);
+                           if (line.json)
+                               fmt::print("{}\n", nlohmann::json{{"output", line.output.string()}}.dump());
+                           return status;
+                       });
+    sub->add_option("scene", line.scene, "the scene's file")->required();
+    sub->add_option("-o,--output", line.output, "the file for POV-Ray")->required();
+}
+
+void add_project(Line& line) {
+    CLI::App* sub =
+        line.command("tour", "render every chapter's scenes, compare them with POV-Ray's, write a page",
+                     "tour", [&line] { return run_tour(line.tour); });
+    sub->add_option("-o,--output", line.tour.output, "directory of the page; default: build/tour");
+
+    sub = line.command("test", "every test of the project", "test --quick",
+                       [&line] { return run_test(line.quick, line.json); });
+    sub->add_flag("--quick", line.quick, "fewer random cases");
+
+    sub =
+        line.command("references", "render the references with POV-Ray again and report any that changed",
+                     "references 02", [&line] {
+                         if (!line.references.chapter.empty())
+                             line.references.chapter =
+                                 find_chapter(read_catalogue(this_project()), line.references.chapter).number;
+                         return run_references(line.references);
+                     });
+    sub->add_option("chapter", line.references.chapter, "such as 02; default: all");
+    sub->add_flag("--make", line.references.make, "write them");
+    sub->group(for_maintainers);
+
+    sub = line.command("exercises", "report exercises that differ from what their solutions generate",
+                       "exercises", [&line] { return run_exercises(line.make, line.json); });
+    sub->add_flag("--make", line.make, "write them");
+    sub->group(for_maintainers);
+
+    sub = line.command("figures", "draw the lessons' figures again and report any that changed", "figures 02",
+                       [&line] { return run_figures(line.chapter, line.make, line.json); });
+    sub->add_option("chapter", line.chapter, "such as 02; default: all");
+    sub->add_flag("--make", line.make, "write them");
+    sub->group(for_maintainers);
+}
+
+/// The chosen command, or the program itself.
+const CLI::App& chosen(const CLI::App& app) {
+    const auto commands = app.get_subcommands();
+    return commands.empty() ? app : *commands.front();
+}
+
+/// One line for a word of the command line that means nothing.
+std::string unknown_word(const CLI::App& app, const std::string& word) {
+    const CLI::App& sub = chosen(app);
+    std::vector<std::string> names;
+    if (&sub == &app && !word.starts_with("-")) {
+        for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    } else {
+        for (const CLI::Option* option : sub.get_options())
+            for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    const std::string hint = did_you_mean(word, candidates);
+    const std::string help = &sub == &app ? "./course --help" : "./course " + sub.get_name() + " --help";
+    const std::string kind = word.starts_with("-") ? "option" : &sub == &app ? "command" : "argument";
+    return fmt::format("there is no {} '{}'{} ({} shows what there is)", kind, word, hint, help);
+}
+
+/// A message of CLI11 as one line that says what to do.
+int usage_error(const CLI::App& app, const CLI::ParseError& error) {
+    std::string message = error.what();
+    if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
+        const std::vector<std::string> words = app.remaining(true);
+        if (!words.empty()) {
+            fmt::print(stderr, "{}\n", unknown_word(app, words.front()));
+            return 2;
+        }
+    }
+    const CLI::App& sub = chosen(app);
+    const std::string help = &sub == &app ? "" : sub.get_name() + " ";
+    message = message.substr(0, message.find('\n'));
+    fmt::print(stderr, "{} (./course {}--help shows how)\n", message, help);
+    return 2;
+}
+
+/// One line that names the step and its chapter.
+std::string not_started(const NotImplemented& error) {
+    try {
+        const std::vector<Chapter> chapters = read_catalogue(this_project());
+        const Target target = find_step(chapters, error.step);
+        return fmt::format("this needs step {} (chapter {}, {}: {}), which is not started; ./course check {}",
+                           error.step, target.chapter->number, target.chapter->title, target.step->title,
+                           target.chapter->number);
+    } catch (const InputError&) {
+        return error.what();
+    }
+}
+
+}  // namespace
+
+int run_course(int argc, char** argv) {
+    try {
+        Line line;
+        line.app.require_subcommand(0, 1);
+        line.app.add_flag("--json", line.json, "one JSON object on standard output, nothing else there");
+        line.app.footer(
+            "Without a command: where you are, and what to do next.\n"
+            "Example:\n  ./course check 02\n"
+            "Each command has --help.");
+        add_learning(line);
+        add_pictures(line);
+        add_project(line);
+        line.render.arguments.assign(argv + 1, argv + argc);
+        try {
+            line.app.parse(argc, argv);
+        } catch (const CLI::CallForHelp&) {
+            fmt::print("{}", line.app.help());
+            return 0;
+        } catch (const CLI::ParseError& error) {
+            return usage_error(line.app, error);
+        }
+        line.check.json = line.render.json = line.compare.json = line.explain.json = line.trace.json =
+            line.tour.json = line.references.json = line.json;
+        return line.action();
+    } catch (const NotImplemented& error) {
+        fmt::print(stderr, "{}\n", not_started(error));
+        return 1;
+    } catch (const InputError& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 2;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "something went wrong that should not: {}\n", error.what());
+        return 1;
+    }
+}
+
+}  // namespace rt

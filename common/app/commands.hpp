@@ -1,0 +1,110 @@
+// The commands of the program, one function each; every function returns the exit status.
+// All throw InputError for what the person has to put right: status 2. tour, references and export have
+// headers of their own.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+// ---------------------------------------------------------------- where am I (status.cpp)
+
+/// `course`: the chapters, and the one next action.
+int run_status(bool json);
+
+/// `course list`: chapters and steps with titles, points and state.
+int run_list(bool json);
+
+// ---------------------------------------------------------------- learning (check_command.cpp, learn.cpp)
+
+struct CheckCommand {
+    std::vector<std::string> targets;  ///< "02", "02.1"; empty: the chapter in progress
+    bool solutions = false;
+    bool json = false;
+};
+
+/// `course check`: 1 if a step that was asked for has not passed.
+int run_check(const CheckCommand& command);
+
+/// `course hint NN.S`: one more hint each time, or all.
+int run_hint(const std::string& step, bool all, bool json);
+
+/// `course reset NN[.S]`: back to the exercise; what was there is kept in a backup beside it.
+int run_reset(const std::string& target, bool json);
+
+/// `course solution NN.S`: yours and the solution's; 1 before the step has passed, unless `spoil`.
+int run_solution(const std::string& step, bool spoil, bool json);
+
+// ---------------------------------------------------------------- pictures (render_command.cpp,
+// compare_command.cpp)
+
+struct RenderCommand {
+    std::filesystem::path scene;
+    std::filesystem::path output;  ///< empty: what the scene says, else its name with .png
+    std::string size;              ///< "WxH", or empty
+    std::string integrator;        ///< or empty
+    int threads = 0;
+    bool solutions = false;
+    bool mine = false;
+    bool preview = false;
+    bool quiet = false;
+    bool lenient = false;
+    bool json = false;
+    std::vector<std::string> arguments;  ///< the whole command line after the program's name
+};
+
+/// `course render SCENE`: 1 if the picture needs a step that is not started.
+int run_render(const RenderCommand& command);
+
+struct CompareCommand {
+    std::filesystem::path image;
+    std::filesystem::path reference;
+    int within = 1;                 ///< of 255: differences up to this are the same to the eye
+    std::filesystem::path diff;     ///< or empty
+    std::filesystem::path page;     ///< or empty
+    std::string encoding = "srgb";  ///< of 8-bit files
+    bool json = false;
+};
+
+/// `course compare IMAGE REFERENCE`: 1 if they differ by more.
+int run_compare(const CompareCommand& command);
+
+struct ExplainCommand {
+    std::filesystem::path scene;
+    bool lenient = false;
+    bool json = false;
+};
+
+/// `course explain SCENE`.
+int run_explain(const ExplainCommand& command);
+
+struct TraceCommand {
+    std::filesystem::path scene;
+    int x = 0;            ///< pixel's column, from the left
+    int y = 0;            ///< pixel's row, from the top
+    std::string against;  ///< "solutions": the student's tree beside the solutions'; or empty
+    bool json = false;
+};
+
+/// `course trace SCENE X Y` (trace_command.cpp): the ray tree of one pixel; 1 if the compared trees differ.
+int run_trace(const TraceCommand& command);
+
+// ---------------------------------------------------------------- the project (test_command.cpp,
+// maintain.cpp)
+
+/// `course test`: every test of the project; 1 if any fails.
+int run_test(bool quick, bool json);
+
+/// `course exercises`: 1 if an exercise differs from what its solution generates; `make` writes it instead.
+int run_exercises(bool make, bool json);
+
+/// `course figures [NN]`: 1 if a figure differs from the one that its program draws; `make` writes it
+/// instead.
+int run_figures(const std::string& chapter, bool make, bool json);
+
+/// The program: reads the command line and calls one of the above. Never throws.
+int run_course(int argc, char** argv);
+
+}  // namespace rt

@@ -1,0 +1,77 @@
+// `course compare`: how far a picture is from a reference, in numbers and as a page.
+#include "common/app/commands.hpp"
+#include "common/app/page.hpp"
+#include "common/image/compare.hpp"
+#include "common/image/file.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+namespace rt {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+/// JSON knows no infinity.
+ordered_json number_or_null(Real value) { return value < infinity ? ordered_json(value) : ordered_json(); }
+
+template <std::size_t N>
+ordered_json fractions(const std::array<Real, N>& within, int asked) {
+    auto object = ordered_json::object();
+    for (const int n : std::set{1, 2, 10, asked})
+        object[std::to_string(n)] = within[static_cast<std::size_t>(n)];
+    return object;
+}
+
+ordered_json to_json(const Comparison& comparison, int within, bool same) {
+    return {{"width", comparison.width},
+            {"height", comparison.height},
+            {"max", comparison.max},
+            {"mean", comparison.mean},
+            {"rmse", comparison.rmse},
+            {"psnr", number_or_null(comparison.psnr)},
+            {"within", fractions(comparison.within, within)},
+            {"within16", fractions(comparison.within16, 2)},
+            {"worst", {{"x", comparison.worst_x}, {"y", comparison.worst_y}}},
+            {"same", same}};
+}
+
+void print(const Comparison& comparison, int within, bool same) {
+    if (comparison.max == 0) {
+        fmt::print("equal: {} × {} pixels, none differs\n", comparison.width, comparison.height);
+        return;
+    }
+    fmt::print("{}: {:.4g} % of {} × {} pixels within {}/255, {:.4g} % within 2/65535\n",
+               same ? "the same to the eye" : "different",
+               100 * comparison.within[static_cast<std::size_t>(within)], comparison.width, comparison.height,
+               within, 100 * comparison.within16[2]);
+    fmt::print("greatest {:.6f} at pixel ({}, {}), mean {:.3g}, RMSE {:.3g}, PSNR {:.1f} dB\n",
+               comparison.max, comparison.worst_x, comparison.worst_y, comparison.mean, comparison.rmse,
+               comparison.psnr);
+}
+
+}  // namespace
+
+int run_compare(const CompareCommand& command) {
+    const Encoding encoding = command.encoding == "linear" ? Encoding::Linear : Encoding::Srgb;
+    const Image image = read_image(command.image, encoding);
+    const Image reference = read_image(command.reference, encoding);
+    const Comparison comparison = compare(image, reference);
+    const bool same = comparison.within[static_cast<std::size_t>(command.within)] == 1;
+
+    if (!command.diff.empty())
+        write_image(command.diff, difference(image, reference, visible_gain(comparison)));
+    if (!command.page.empty())
+        write_file(command.page, comparison_page(image, reference, comparison, command.image.string(),
+                                                 command.reference.string()));
+    if (command.json)
+        fmt::print("{}\n", to_json(comparison, command.within, same).dump());
+    else
+        print(comparison, command.within, same);
+    return same ? 0 : 1;
+}
+
+}  // namespace rt

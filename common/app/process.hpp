@@ -1,0 +1,41 @@
+// Another program as a child of this one: its output, its end, and a limit on its time.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rt {
+
+struct ProcessOptions {
+    double time_limit = 0;                               ///< seconds until the child is killed; 0 is never
+    std::function<void(std::string_view line)> on_line;  ///< told each line of output as it comes
+    std::vector<std::pair<std::string, std::string>> environment;  ///< added to this program's
+    bool merge_errors = true;  ///< standard error goes into `output` too; else it is this program's
+};
+
+struct ProcessResult {
+    int exit_code = 0;  ///< meaningful where `signal` is 0; 127 if the program could not be started
+    int signal = 0;     ///< that ended it; 0 if it ended by itself
+    bool timed_out = false;
+    double seconds = 0;
+    std::string output;  ///< the first mebibyte
+};
+
+/// Whether the child ended by itself with status 0.
+inline bool succeeded(const ProcessResult& result) { return result.exit_code == 0 && result.signal == 0; }
+
+/// Runs a program, found as a shell would, and waits for its end. With a time limit the child may also use no
+/// more memory than 4 GiB, so that a runaway loop cannot take the machine down.
+ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options = {});
+
+/// Replaces this program by another, in which `environment` is added. Returns only if that fails.
+void replace_process(const std::vector<std::string>& command,
+                     const std::vector<std::pair<std::string, std::string>>& environment);
+
+/// What a signal means to a person: "segmentation fault".
+std::string signal_name(int signal);
+
+}  // namespace rt

@@ -1,0 +1,30 @@
+// Where things are: the repository and its build directory.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace rt {
+
+struct Project {
+    std::filesystem::path root;   ///< the repository
+    std::filesystem::path build;  ///< where CMake builds it
+};
+
+/// The repository that this program was built from.
+Project this_project();
+
+/// A program of the build, such as "check_02".
+std::filesystem::path program(const Project& project, std::string_view name);
+
+/// The path as a person at the repository's root would write it; unchanged if it is outside.
+std::string relative(const Project& project, const std::filesystem::path& path);
+
+/// A whole file. Throws InputError if it cannot be read.
+std::string read_file(const std::filesystem::path& path);
+
+/// FNV-1a (Fowler, Noll & Vo), 64 bits, as 16 hexadecimal digits: tells whether a text has changed.
+std::string fingerprint(std::string_view text);
+
+}  // namespace rt

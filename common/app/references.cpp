@@ -1,0 +1,320 @@
+// The reference pictures: made by POV-Ray from our scenes, and watched for change.
+#include "common/app/references.hpp"
+
+#include "common/app/console.hpp"
+#include "common/app/process.hpp"
+#include "common/image/compare.hpp"
+#include "common/image/file.hpp"
+#include "common/math/input_error.hpp"
+#include "common/render/export_povray.hpp"
+#include "common/scene/parse.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int thumbnail_width = 160;
+
+/// A larger export is not kept in the repository: it is mostly a mesh, and `course export` writes it again.
+constexpr std::size_t largest_kept_export = 1 << 20;
+
+/// Not a matter of one scene, so it ends the whole check.
+struct MissingProgram : InputError {
+    using InputError::InputError;
+};
+
+enum class State { Same, Changed, Missing };
+
+std::string word(State state) {
+    switch (state) {
+        case State::Same:
+            return "same";
+        case State::Changed:
+            return "changed";
+        case State::Missing:
+            return "missing";
+    }
+    return "";
+}
+
+/// What a check of one scene found.
+struct Finding {
+    ReferenceScene scene;
+    State pov = State::Same;
+    State picture = State::Same;
+    std::size_t changed_pixels = 0;
+    Real greatest = 0;    ///< steps of 1/65535
+    double seconds = 0;   ///< that POV-Ray took
+    std::string problem = {};  ///< why the scene could not be checked
+
+    bool is_same() const { return pov == State::Same && picture == State::Same && problem.empty(); }
+};
+
+/// Runs POV-Ray in `directory` on scene.pov; the picture is 16-bit, linear.
+Image run_povray(const ReferenceScene& scene, const std::string& text, const Scene& size,
+                 const fs::path& directory, double& seconds) {
+    const fs::path source = directory / (scene.name + ".pov"), picture = directory / (scene.name + ".png");
+    write_file(source, text);
+    const ProcessResult result = run_process(
+        {"povray", "+I" + source.string(), "+O" + picture.string(), fmt::format("+W{}", size.width),
+         fmt::format("+H{}", size.height), "+FN16", "-D", "+WT2", "-A", "File_Gamma=1.0"});
+    if (result.exit_code == 127)
+        throw MissingProgram("povray is not installed; install it with: apt-get install povray");
+    if (!succeeded(result)) {
+        const fs::path log = directory / (scene.name + ".log");
+        write_file(log, result.output);
+        throw InputError(
+            fmt::format("POV-Ray failed on {}; its messages are in {}", source.string(), log.string()));
+    }
+    seconds = result.seconds;
+    return read_image(picture);
+}
+
+State compare_text(const fs::path& path, const std::string& text) {
+    const bool keep = text.size() <= largest_kept_export;
+    if (!fs::exists(path)) return keep ? State::Missing : State::Same;
+    return keep && read_file(path) == text ? State::Same : State::Changed;
+}
+
+/// Pixels, not bytes: PNG files carry dates.
+void compare_picture(const Image& made, Finding& finding) {
+    if (!fs::exists(finding.scene.picture)) {
+        finding.picture = State::Missing;
+        return;
+    }
+    const Image kept = read_image(finding.scene.picture);
+    if (kept.width != made.width || kept.height != made.height) {
+        finding.picture = State::Changed;
+        finding.changed_pixels = made.pixels.size();
+        return;
+    }
+    for (std::size_t i = 0; i < made.pixels.size(); ++i)
+        if (made.pixels[i] != kept.pixels[i]) ++finding.changed_pixels;
+    finding.greatest = compare(made, kept).max * 65535;
+    if (finding.changed_pixels > 0) finding.picture = State::Changed;
+}
+
+/// Fills in what POV-Ray says of a scene, and with `make` writes it.
+void check_scene(Finding& finding, const fs::path& directory, bool make) {
+    const ReferenceScene& scene = finding.scene;
+    const Scene parsed = parse_scene(scene.scene);
+    const std::string text = export_povray(parsed);
+    finding.pov = compare_text(scene.pov, text);
+    const Image made = run_povray(scene, text, parsed, directory, finding.seconds);
+    compare_picture(made, finding);
+    if (!make) return;
+    if (finding.pov != State::Same) {
+        if (text.size() <= largest_kept_export)
+            write_file(scene.pov, text);
+        else
+            fs::remove(scene.pov);
+    }
+    // Our own writer has 8 bits only, so POV-Ray's file is kept as it is.
+    if (finding.picture != State::Same)
+        write_file(scene.picture, read_file(directory / (scene.name + ".png")));
+}
+
+bool same_bytes(const Vec3& a, const Vec3& b) {
+    for (int c = 0; c < 3; ++c)
+        if (encode_byte(a[c], Encoding::Srgb) != encode_byte(b[c], Encoding::Srgb)) return false;
+    return true;
+}
+
+/// Whether the image, written as 8-bit sRGB, has the same pixels as the file.
+bool is_kept_in(const fs::path& file, const Image& image) {
+    if (!fs::exists(file)) return false;
+    const Image kept = read_image(file);
+    return kept.width == image.width && std::ranges::equal(kept.pixels, image.pixels, same_bytes);
+}
+
+/// The first scene of a chapter as the README shows it.
+State check_thumbnail(const fs::path& picture, const fs::path& file, bool make) {
+    const Image small = thumbnail(read_image(picture), thumbnail_width);
+    if (is_kept_in(file, small)) return State::Same;
+    const State state = fs::exists(file) ? State::Changed : State::Missing;
+    if (make) write_image(file, small, Encoding::Srgb);
+    return state;
+}
+
+std::string describe(const Finding& finding) {
+    if (!finding.scene.why_none.empty()) return "no reference: " + finding.scene.why_none;
+    if (!finding.problem.empty()) return finding.problem;
+    if (finding.is_same()) return "same";
+    std::vector<std::string> parts;
+    if (finding.pov != State::Same) parts.push_back("scene for POV-Ray " + word(finding.pov));
+    if (finding.picture == State::Missing) parts.push_back("picture missing");
+    if (finding.picture == State::Changed)
+        parts.push_back(fmt::format("picture changed in {} by up to {:.0f}/65535",
+                                    counted(static_cast<long long>(finding.changed_pixels), "pixel"),
+                                    finding.greatest));
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// What a chapter's first picture says of its thumbnail.
+struct Thumbnail {
+    std::string chapter;
+    State state = State::Same;
+};
+
+std::optional<Thumbnail> check_thumbnail(const Project& project, const Chapter& chapter, bool make) {
+    for (const ReferenceScene& scene : reference_scenes(project, chapter))
+        if (scene.why_none.empty() && fs::exists(scene.picture))
+            return Thumbnail{
+                chapter.name,
+                check_thumbnail(scene.picture, scene.picture.parent_path() / "thumbnail.png", make)};
+    return std::nullopt;
+}
+
+nlohmann::ordered_json json_of(const Finding& finding) {
+    nlohmann::ordered_json json = {{"chapter", finding.scene.chapter}, {"scene", finding.scene.name}};
+    if (!finding.scene.why_none.empty()) {
+        json["why_none"] = finding.scene.why_none;
+    } else if (!finding.problem.empty()) {
+        json["problem"] = finding.problem;
+    } else {
+        json["pov"] = word(finding.pov);
+        json["picture"] = word(finding.picture);
+        json["changed_pixels"] = finding.changed_pixels;
+        json["greatest16"] = std::lround(finding.greatest);
+        json["seconds"] = finding.seconds;
+    }
+    return json;
+}
+
+void print_row(std::string_view chapter, std::string_view name, double seconds, std::string_view what,
+               Tone tone) {
+    const std::string time = seconds > 0 ? fmt::format("{:6.1f} s", seconds) : std::string(8, ' ');
+    fmt::print("{:<16} {:<24} {}  {}\n", chapter, name, time, paint(what, tone));
+}
+
+}  // namespace
+
+std::vector<ReferenceScene> reference_scenes(const Project& project, const Chapter& chapter) {
+    const fs::path directory = project.root / "references" / chapter.name;
+    std::vector<std::string> files = chapter.scenes;
+    for (const std::string& file : files)
+        if (!fs::exists(directory / file))
+            throw InputError(fmt::format("chapters/{}/chapter.json: references/{}/{} does not exist",
+                                         chapter.name, chapter.name, file));
+    std::vector<std::string> others;
+    if (fs::exists(directory))
+        for (const auto& entry : fs::directory_iterator(directory)) {
+            const std::string file = entry.path().filename().string();
+            if (entry.path().extension() == ".scene" && std::ranges::find(files, file) == files.end())
+                others.push_back(file);
+        }
+    std::ranges::sort(others);
+    files.insert(files.end(), others.begin(), others.end());
+
+    std::vector<ReferenceScene> scenes;
+    for (const std::string& file : files) {
+        ReferenceScene scene;
+        scene.chapter = chapter.name;
+        scene.name = fs::path(file).stem().string();
+        scene.scene = directory / file;
+        scene.pov = directory / (scene.name + ".pov");
+        scene.picture = directory / (scene.name + ".png");
+        if (const fs::path why = directory / (scene.name + ".why"); fs::exists(why)) {
+            scene.why_none = read_file(why);
+            while (scene.why_none.ends_with('\n')) scene.why_none.pop_back();
+        }
+        scenes.push_back(std::move(scene));
+    }
+    return scenes;
+}
+
+Image thumbnail(const Image& image, int width) {
+    width = std::clamp(width, 1, image.width);
+    const int height = std::max(1, (image.height * width + image.width / 2) / image.width);
+    Image small = make_image(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const int x0 = x * image.width / width, x1 = (x + 1) * image.width / width;
+            const int y0 = y * image.height / height, y1 = std::max(y0 + 1, (y + 1) * image.height / height);
+            Vec3 sum(0);
+            for (int j = y0; j < y1; ++j)
+                for (int i = x0; i < x1; ++i) sum += pixel(image, i, j);
+            pixel(small, x, y) = sum / static_cast<Real>((x1 - x0) * (y1 - y0));
+        }
+    }
+    return small;
+}
+
+int run_references(const ReferencesOptions& options, const Project& project) {
+    std::vector<Chapter> chapters = read_catalogue(project);
+    if (!options.chapter.empty()) chapters = {find_chapter(chapters, options.chapter)};
+
+    std::vector<Finding> findings;
+    for (const Chapter& chapter : chapters)
+        for (ReferenceScene& scene : reference_scenes(project, chapter))
+            findings.push_back({.scene = std::move(scene)});
+    {
+        Progress progress("references", !options.json && !options.quiet);
+        for (std::size_t i = 0; i < findings.size(); ++i) {
+            Finding& finding = findings[i];
+            const ReferenceScene& scene = finding.scene;
+            progress.update(static_cast<double>(i) / static_cast<double>(findings.size()),
+                            fmt::format("{}/{}", scene.chapter, scene.name));
+            if (!scene.why_none.empty()) continue;
+            const fs::path directory = project.build / "references" / scene.chapter;
+            fs::create_directories(directory);
+            try {
+                check_scene(finding, directory, options.make);
+            } catch (const MissingProgram&) {
+                throw;
+            } catch (const std::exception& error) {
+                finding.problem = error.what();
+            }
+        }
+    }
+    std::vector<Thumbnail> thumbnails;
+    for (const Chapter& chapter : chapters)
+        if (const auto found = check_thumbnail(project, chapter, options.make)) thumbnails.push_back(*found);
+
+    const auto problems =
+        std::ranges::count_if(findings, [](const Finding& f) { return !f.problem.empty(); });
+    const auto changed =
+        std::ranges::count_if(findings, [](const Finding& f) { return !f.is_same(); }) - problems +
+        std::ranges::count_if(thumbnails, [](const Thumbnail& t) { return t.state != State::Same; });
+    if (options.json) {
+        nlohmann::ordered_json report = {{"scenes", nlohmann::ordered_json::array()},
+                                         {"thumbnails", nlohmann::ordered_json::object()}};
+        for (const Finding& finding : findings) report["scenes"].push_back(json_of(finding));
+        for (const Thumbnail& t : thumbnails) report["thumbnails"][t.chapter] = word(t.state);
+        report["changed"] = changed;
+        report["problems"] = problems;
+        report["written"] = options.make && changed > 0;
+        fmt::print("{}\n", report.dump(2));
+    } else if (!options.quiet) {
+        const Tone tone = options.make ? Tone::Accent : Tone::Bad;
+        for (const Finding& f : findings)
+            print_row(f.scene.chapter, f.scene.name, f.seconds, describe(f),
+                      f.is_same()         ? Tone::Good
+                      : f.problem.empty() ? tone
+                                          : Tone::Bad);
+        for (const Thumbnail& t : thumbnails)
+            print_row(t.chapter, "thumbnail", 0, word(t.state), t.state == State::Same ? Tone::Good : tone);
+        if (problems > 0) fmt::print("{} could not be checked\n", counted(problems, "scene"));
+        if (changed == 0 && problems == 0) fmt::print("all references are as POV-Ray makes them now\n");
+        if (changed > 0)
+            fmt::print("{} {}\n", counted(changed, "reference"),
+                       options.make
+                           ? "written"
+                           : "changed or missing; `course references --make` writes what POV-Ray makes now");
+    }
+    return problems > 0 || (changed > 0 && !options.make) ? 1 : 0;
+}
+
+int run_export(const fs::path& scene, const fs::path& output) {
+    write_file(output, export_povray(parse_scene(scene)));
+    return 0;
+}
+
+}  // namespace rt

@@ -1,0 +1,80 @@
+// What is known about a student's steps: not started, wrong or right.
+#pragma once
+
+#include "common/app/catalogue.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt {
+
+enum class State { Todo, Failed, Passed };
+
+/// "todo", "failed" or "passed".
+std::string_view name_of(State state);
+
+struct StepResult {
+    std::string id;
+    State state = State::Todo;
+    std::string message;  ///< the first line says it all; more may follow
+};
+
+struct ChapterResult {
+    std::string chapter;            ///< its name, "02_spheres"
+    std::string build_error;        ///< the compiler's first message; empty if it compiled
+    std::vector<StepResult> steps;  ///< all of the chapter's, in order
+};
+
+/// Nothing started.
+ChapterResult all_todo(const Chapter& chapter);
+
+bool all_passed(const ChapterResult& result);
+int count(const ChapterResult& result, State state);
+
+/// One test case as the report of a test program (tests/main.cpp) tells it.
+struct TestRun {
+    std::string name;
+    std::vector<std::string> steps;
+    State state = State::Todo;
+    std::string message;
+    std::string missing;  ///< the step that is not started, where `state` is Todo
+};
+
+/// What a test program had written when it ended, in whichever way.
+struct TestReport {
+    std::vector<TestRun> ended;
+    std::optional<TestRun> died_in;  ///< started and not ended
+    bool complete = false;           ///< the program came to its end
+};
+
+/// Reads a report. Lines that are not whole, or not a report's, end it.
+TestReport read_report(std::string_view text);
+
+/// What these test cases say about a step. A step that no test names has failed.
+StepResult judge(const std::string& step, const std::vector<TestRun>& tests);
+
+/// What is known about a chapter without building anything.
+struct KnownResult {
+    ChapterResult result;
+    bool current = false;  ///< no file of the exercise or its tests has changed since it was checked
+};
+
+/// An exercise that was not touched is all todo, and current. Never throws for a damaged memory.
+KnownResult known_result(const Project& project, const Chapter& chapter);
+
+/// Remembers the verdict on a chapter as its files are now, in build/state.json.
+void remember(const Project& project, const Chapter& chapter, const ChapterResult& result);
+
+/// The exercise's file as the student got it: from the solution, else from .course/pristine/ of a handout.
+std::optional<std::string> pristine_text(const Project& project, const Chapter& chapter,
+                                         const std::string& file);
+
+/// Names of the exercise's files, `*.cpp` of the chapter's directory, sorted.
+std::vector<std::string> exercise_files(const Project& project, const Chapter& chapter);
+
+/// Whether every file of the exercise is as the student got it.
+bool is_untouched(const Project& project, const Chapter& chapter);
+
+}  // namespace rt

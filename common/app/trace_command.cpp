@@ -1,0 +1,291 @@
+// `course trace`: the ray tree of one pixel, and where a student's tree first differs from the solution's.
+#include "chapters/01_ray_casting/camera.hpp"
+#include "common/app/catalogue.hpp"
+#include "common/app/check.hpp"
+#include "common/app/commands.hpp"
+#include "common/app/console.hpp"
+#include "common/app/process.hpp"
+#include "common/math/input_error.hpp"
+#include "common/render/compile.hpp"
+#include "common/render/shade.hpp"
+#include "common/render/trace.hpp"
+#include "common/scene/parse.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace rt {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::string_view shape_names[] = {"sphere", "plane", "triangle", "polygon", "mesh"};
+
+std::string_view kind_name(RayKind kind) {
+    if (kind == RayKind::Reflection) return "reflection";
+    return kind == RayKind::Refraction ? "refraction" : "camera";
+}
+
+// ------------------------------------------------------------------------------------- tree to JSON
+
+ordered_json to_json(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+/// A number, or "infinity", which JSON has no number for.
+ordered_json to_json(Real x) { return std::isinf(x) ? ordered_json("infinity") : ordered_json(x); }
+
+ordered_json to_json(const LightRecord& light) {
+    return {{"direction", to_json(light.sample.direction)},
+            {"distance", to_json(light.sample.distance)},
+            {"color", to_json(light.sample.color)},
+            {"visible", to_json(light.visible)},
+            {"contribution", to_json(light.contribution)}};
+}
+
+ordered_json to_json(const Scene& scene, const World& world, const TraceRecord& record) {
+    const Branch& branch = record.branch;
+    ordered_json json = {{"kind", kind_name(branch.kind)},
+                         {"parent", record.parent},
+                         {"depth", branch.depth},
+                         {"origin", to_json(branch.ray.origin)},
+                         {"direction", to_json(branch.ray.direction)},
+                         {"weight", to_json(branch.weight)},
+                         {"hit", record.hit.has_value()}};
+    if (record.hit) {
+        const Primitive& primitive = world.primitives[record.hit->primitive];
+        const Object& object = scene.objects[primitive.object];
+        json["shape"] = shape_names[object.shape.index()];
+        json["line"] = object.place.line;
+        json["primitive"] = record.hit->primitive;
+        json["t"] = to_json(record.hit->t);
+        json["point"] = to_json(record.surface.point);
+        json["normal"] = to_json(record.normal);
+        json["arriving_weight"] = to_json(record.weight);
+        json["lights"] = ordered_json::array();
+        for (const LightRecord& light : record.lights) json["lights"].push_back(to_json(light));
+    }
+    json["local"] = to_json(record.local);
+    return json;
+}
+
+ordered_json trace_json(const TraceCommand& command) {
+    Scene scene = parse_scene(command.scene);
+    if (command.x < 0 || command.y < 0 || command.x >= scene.width || command.y >= scene.height)
+        throw InputError(fmt::format("pixel ({}, {}) is outside the picture of {} × {}", command.x, command.y,
+                                     scene.width, scene.height));
+    const World world = compile(scene);
+    const Ray ray = pixel_ray(world.view, command.x + 0.5, command.y + 0.5);
+    ordered_json rays = ordered_json::array();
+    Vec3 color(0);
+    for (const TraceRecord& record : trace_tree(world, ray)) {
+        color += record.weight * record.local;
+        rays.push_back(to_json(scene, world, record));
+    }
+    return {{"scene", command.scene.string()},
+            {"x", command.x},
+            {"y", command.y},
+            {"color", to_json(color_function(world)(world, ray))},
+            {"tree_color", to_json(color)},
+            {"rays", rays}};
+}
+
+// ------------------------------------------------------------------------------------- JSON to text
+
+std::string number(const ordered_json& x) {
+    return x.is_string() ? x.get<std::string>() : fmt::format("{:.6g}", x.get<Real>());
+}
+std::string triple(const ordered_json& v) {
+    return fmt::format("({}, {}, {})", number(v[0]), number(v[1]), number(v[2]));
+}
+
+void print_ray(const ordered_json& rays, std::size_t index) {
+    const ordered_json& ray = rays[index];
+    const std::string indent(4 * ray["depth"].get<std::size_t>(), ' ');
+    fmt::print("{}{}  weight {}\n", indent,
+               paint(fmt::format("{} ray", ray["kind"].get<std::string>()), Tone::Bold),
+               triple(ray["weight"]));
+    fmt::print("{}  from {} towards {}\n", indent, triple(ray["origin"]), triple(ray["direction"]));
+    if (!ray["hit"].get<bool>()) {
+        fmt::print("{}  hits nothing: background {}\n", indent, triple(ray["local"]));
+        return;
+    }
+    fmt::print("{}  hits the {} of line {} at t = {}, point {}, normal {}\n", indent,
+               ray["shape"].get<std::string>(), ray["line"].get<int>(), number(ray["t"]),
+               triple(ray["point"]), triple(ray["normal"]));
+    if (ray["arriving_weight"] != ray["weight"])
+        fmt::print("{}  weight after absorption {}\n", indent, triple(ray["arriving_weight"]));
+    for (const ordered_json& light : ray["lights"])
+        fmt::print("{}  light at distance {}, {} arriving, {} of it visible: adds {}\n", indent,
+                   number(light["distance"]), triple(light["color"]), triple(light["visible"]),
+                   triple(light["contribution"]));
+    fmt::print("{}  radiance here {}\n", indent, triple(ray["local"]));
+}
+
+void print_tree(const ordered_json& tree) {
+    fmt::print("pixel ({}, {}) of {}: colour {}\n", tree["x"].get<int>(), tree["y"].get<int>(),
+               tree["scene"].get<std::string>(), triple(tree["color"]));
+    for (std::size_t i = 0; i < tree["rays"].size(); ++i) print_ray(tree["rays"], i);
+}
+
+// ------------------------------------------------------------------------------------- two trees
+
+/// Equal up to what another order of the same operations may change.
+bool same(const ordered_json& a, const ordered_json& b) {
+    if (a.is_array() && b.is_array()) {
+        if (a.size() != b.size()) return false;
+        Real size = 0, apart = 0;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            if (!a[i].is_number() || !b[i].is_number()) return a == b;
+            size = std::max({size, std::abs(a[i].get<Real>()), std::abs(b[i].get<Real>())});
+            apart = std::max(apart, std::abs(a[i].get<Real>() - b[i].get<Real>()));
+        }
+        return apart <= 1e-9 * size;
+    }
+    if (a.is_number_float() && b.is_number()) return same(ordered_json{a}, ordered_json{b});
+    return a == b;
+}
+
+/// The step that computes a quantity of a ray; `shape` is what it hit.
+std::string step_of(const std::string& quantity, const ordered_json& ray) {
+    const std::string kind = ray["kind"], shape = ray.value("shape", "");
+    const bool triangle = shape == "triangle" || shape == "mesh";
+    if (quantity == "origin" || quantity == "direction") {
+        if (kind == "camera") return quantity == "origin" ? "01.3" : "01.2";
+        if (quantity == "origin") return "06.1";
+        return kind == "reflection" ? "07.1" : "07.2";
+    }
+    if (quantity == "kind" || quantity == "parent" || quantity == "weight") return "07.5";
+    if (quantity == "arriving_weight") return "07.4";
+    if (quantity == "hit" || quantity == "primitive" || quantity == "t" || quantity == "line" ||
+        quantity == "shape")
+        return shape == "sphere" ? "02.3" : triangle ? "03.4" : shape == "polygon" ? "03.2" : "01.4";
+    if (quantity == "point" || quantity == "normal")
+        return shape == "sphere" ? "02.4" : triangle ? "03.5" : "01.4";
+    return "05.5";
+}
+std::string step_of_light(const std::string& quantity) {
+    if (quantity == "visible") return "06.3";
+    return quantity == "contribution" ? "05.5" : "05.1";
+}
+
+struct Difference {
+    std::size_t ray = 0;
+    std::string quantity, mine, theirs, step;
+};
+
+std::string text(const ordered_json& value) {
+    return value.is_array() && value.size() == 3 ? triple(value)
+           : value.is_number_float()             ? number(value)
+                                                 : value.dump();
+}
+
+std::optional<Difference> first_difference(const ordered_json& mine, const ordered_json& theirs) {
+    const ordered_json &a = mine["rays"], &b = theirs["rays"];
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        for (const char* quantity : {"kind", "parent", "origin", "direction", "weight", "hit", "primitive",
+                                     "t", "point", "normal", "arriving_weight"}) {
+            const ordered_json p = a[i].value(quantity, ordered_json()),
+                               q = b[i].value(quantity, ordered_json());
+            if (same(p, q)) continue;
+            const ordered_json& known = b[i]["hit"].get<bool>() ? b[i] : a[i];
+            return Difference{i, quantity, text(p), text(q), step_of(quantity, known)};
+        }
+        const ordered_json lights = a[i].value("lights", ordered_json::array());
+        const ordered_json other = b[i].value("lights", ordered_json::array());
+        for (std::size_t k = 0; k < std::min(lights.size(), other.size()); ++k)
+            for (const char* quantity : {"direction", "distance", "color", "visible", "contribution"})
+                if (!same(lights[k][quantity], other[k][quantity]))
+                    return Difference{i, fmt::format("light {}: {}", k + 1, quantity),
+                                      text(lights[k][quantity]), text(other[k][quantity]),
+                                      step_of_light(quantity)};
+        if (lights.size() != other.size())
+            return Difference{i, "number of lights in front of the surface", std::to_string(lights.size()),
+                              std::to_string(other.size()), "05.1"};
+        if (!same(a[i]["local"], b[i]["local"]))
+            return Difference{i, "radiance", text(a[i]["local"]), text(b[i]["local"]), "05.5"};
+    }
+    if (a.size() != b.size())
+        return Difference{std::min(a.size(), b.size()), "number of rays", std::to_string(a.size()),
+                          std::to_string(b.size()), "07.5"};
+    if (!same(mine["color"], theirs["color"]))
+        return Difference{0, "colour of the pixel", text(mine["color"]), text(theirs["color"]),
+                          a.size() > 1 ? "07.6" : "01.6"};
+    return std::nullopt;
+}
+
+/// The tree that the student's chapters make of the same pixel, from a process of their own.
+ordered_json student_trace(const Project& project, const TraceCommand& command) {
+    std::vector<const Chapter*> mine;
+    const std::vector<Chapter> chapters = read_catalogue(project);
+    for (const Chapter& chapter : chapters) mine.push_back(&chapter);
+    const BuildResult build = build_mine(project, mine);
+    if (!build.ok) throw InputError("your chapters do not build: " + build.message);
+    ProcessOptions options;
+    options.time_limit = 60;
+    options.merge_errors = false;
+    options.environment = {{mine_variable, numbers_of(mine)}};
+    const ProcessResult result =
+        run_process({program(project, "course_mine").string(), "trace", command.scene.string(),
+                     std::to_string(command.x), std::to_string(command.y), "--json"},
+                    options);
+    if (!succeeded(result))
+        throw InputError(result.timed_out     ? "your code takes more than a minute for this pixel"
+                         : result.signal != 0 ? "your code crashed: " + signal_name(result.signal)
+                                              : std::string("your code made no tree of this pixel"));
+    return ordered_json::parse(result.output);
+}
+
+int run_against(const TraceCommand& command) {
+    const ordered_json theirs = trace_json(command);
+    const ordered_json mine = student_trace(this_project(), command);
+    const std::optional<Difference> difference = first_difference(mine, theirs);
+    if (command.json) {
+        ordered_json object = {{"same", !difference}, {"mine", mine}, {"solution", theirs}};
+        if (difference)
+            object["difference"] = {{"ray", difference->ray},
+                                    {"quantity", difference->quantity},
+                                    {"mine", difference->mine},
+                                    {"solution", difference->theirs},
+                                    {"step", difference->step}};
+        fmt::print("{}\n", object.dump());
+        return difference ? 1 : 0;
+    }
+    const std::size_t count = difference ? difference->ray + 1 : theirs["rays"].size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i < mine["rays"].size())
+            fmt::print("{}\n", paint("yours", Tone::Accent)), print_ray(mine["rays"], i);
+        if (i < theirs["rays"].size())
+            fmt::print("{}\n", paint("solution", Tone::Accent)), print_ray(theirs["rays"], i);
+    }
+    if (!difference) {
+        fmt::print("{}\n", paint("The two trees are the same.", Tone::Good));
+        return 0;
+    }
+    fmt::print("{} {}: yours is {}, the solution's {}.\nLook at step {}: ./course hint {}\n",
+               paint("First difference:", Tone::Bad), difference->quantity, difference->mine,
+               difference->theirs, difference->step, difference->step);
+    return 1;
+}
+
+}  // namespace
+
+int run_trace(const TraceCommand& command) {
+    if (!command.against.empty()) {
+        if (command.against != "solutions")
+            throw InputError(
+                fmt::format("--against: there is no '{}'; expected 'solutions'", command.against));
+        return run_against(command);
+    }
+    const ordered_json tree = trace_json(command);
+    if (command.json)
+        fmt::print("{}\n", tree.dump());
+    else
+        print_tree(tree);
+    return 0;
+}
+
+}  // namespace rt

@@ -1,0 +1,105 @@
+// How far apart two images are: one pass over the pixels, one histogram a measure.
+
+#include "common/image/compare.hpp"
+
+#include "common/image/file.hpp"
+#include "common/math/input_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace rt {
+namespace {
+
+void require_same_size(const Image& image, const Image& reference) {
+    if (image.width == reference.width && image.height == reference.height) return;
+    const auto size = [](const Image& i) {
+        return std::to_string(i.width) + " x " + std::to_string(i.height);
+    };
+    throw InputError("the image has " + size(image) + " pixels and the reference " + size(reference) +
+                     "; only images of one size can be compared");
+}
+
+Real channel_difference(Real a, Real b) {
+    if (std::isnan(a) != std::isnan(b)) return 1;
+    return std::abs(displayable(a) - displayable(b));
+}
+
+Real encoded_difference(Real a, Real b) {
+    if (a == b) return 0;  // spares most images most of their powers
+    if (std::isnan(a) != std::isnan(b)) return 1;
+    return std::abs(encode(a, Encoding::Srgb) - encode(b, Encoding::Srgb));
+}
+
+Real greatest(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
+
+/// The smallest n with difference <= n/steps. Rounding (about 1e-11 steps, from decoding a file and from the
+/// subtraction) must not lift a difference of exactly n steps to n + 1, hence the millionth of a step.
+std::size_t steps_up(Real difference, Real steps) {
+    return static_cast<std::size_t>(std::max(Real(0), std::ceil(difference * steps - 0x1p-20)));
+}
+
+/// How many pixels lie exactly n steps apart, n = 0 … 255; farther ones are not counted.
+using Histogram = std::array<Real, 256>;
+
+void count(Histogram& histogram, std::size_t n) {
+    if (n < histogram.size()) ++histogram[n];
+}
+
+/// Fraction of all pixels that lie at most n steps apart.
+Histogram cumulative(const Histogram& histogram, Real pixels) {
+    Histogram within{};
+    Real sum = 0;
+    for (std::size_t n = 0; n < within.size(); ++n) within[n] = (sum += histogram[n]) / pixels;
+    return within;
+}
+
+}  // namespace
+
+Comparison compare(const Image& image, const Image& reference) {
+    require_same_size(image, reference);
+    Comparison result{.width = image.width, .height = image.height};
+    Histogram display{}, linear{};
+    Real sum = 0, squares = 0;
+    for (int y = 0; y < image.height; ++y) {
+        Real row_sum = 0, row_squares = 0;
+        for (int x = 0; x < image.width; ++x) {
+            const Vec3 &a = pixel(image, x, y), &b = pixel(reference, x, y);
+            Vec3 difference, encoded;
+            for (int i = 0; i < 3; ++i) {
+                difference[i] = channel_difference(a[i], b[i]);
+                encoded[i] = encoded_difference(a[i], b[i]);
+            }
+            row_sum += difference.x + difference.y + difference.z;
+            row_squares += glm::dot(difference, difference);
+            count(display, steps_up(greatest(encoded), 255));
+            count(linear, steps_up(greatest(difference), 65535));
+            if (greatest(difference) > result.max) {
+                result.max = greatest(difference);
+                result.worst_x = x;
+                result.worst_y = y;
+            }
+        }
+        sum += row_sum;
+        squares += row_squares;
+    }
+    const Real pixels = static_cast<Real>(image.pixels.size());
+    result.mean = sum / (3 * pixels);
+    result.rmse = std::sqrt(squares / (3 * pixels));
+    if (result.rmse > 0) result.psnr = -20 * std::log10(result.rmse);
+    result.within = cumulative(display, pixels);
+    result.within16 = cumulative(linear, pixels);
+    return result;
+}
+
+Image difference(const Image& image, const Image& reference, Real gain) {
+    require_same_size(image, reference);
+    Image result = make_image(image.width, image.height);
+    for (std::size_t p = 0; p < result.pixels.size(); ++p)
+        for (int i = 0; i < 3; ++i)
+            result.pixels[p][i] = gain * channel_difference(image.pixels[p][i], reference.pixels[p][i]);
+    return result;
+}
+
+}  // namespace rt

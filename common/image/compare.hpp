@@ -1,0 +1,34 @@
+// How far apart two images are.
+#pragma once
+
+#include "common/image/image.hpp"
+
+#include <array>
+
+namespace rt {
+
+/// Differences between two images of one size. `max`, `mean` and `rmse` are over all channels, linear,
+/// of values clamped to [0, 1]; `within[n]` is the fraction of pixels whose greatest channel difference,
+/// encoded as sRGB, is at most n/255; `within16[n]` the same in linear steps of 1/65535.
+/// A NaN on one side counts as a difference of 1, on both sides as none.
+struct Comparison {
+    int width = 0;
+    int height = 0;
+    Real max = 0;
+    Real mean = 0;
+    Real rmse = 0;
+    Real psnr = infinity;  ///< -20 log10(rmse); infinite for equal images
+    std::array<Real, 256> within{};
+    std::array<Real, 256> within16{};
+    int worst_x = 0;  ///< pixel of the greatest linear difference; the first from the top left of several
+    int worst_y = 0;
+};
+
+/// Compares two images of at least one pixel; throws InputError, naming both sizes, if the sizes differ.
+Comparison compare(const Image& image, const Image& reference);
+
+/// |image − reference| a pixel and channel, as `compare` measures it, times `gain`, for the eye.
+/// Throws InputError if the sizes differ.
+Image difference(const Image& image, const Image& reference, Real gain = 1);
+
+}  // namespace rt

@@ -1,0 +1,55 @@
+// The discrete decisions behind each pixel: where two ray tracers may rightly differ.
+#include "common/render/decisions.hpp"
+
+#include "chapters/01_ray_casting/camera.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <functional>
+
+namespace rt {
+namespace {
+
+void mix(std::uint64_t& hash, std::uint64_t value) {
+    // splitmix64 (Steele, Lea & Flood 2014).
+    hash += value + 0x9e3779b97f4a7c15u;
+    hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
+    hash ^= hash >> 31;
+}
+
+}  // namespace
+
+std::uint64_t decision(const World& world, const std::vector<TraceRecord>& tree) {
+    std::uint64_t hash = 0;
+    for (const TraceRecord& record : tree) {
+        mix(hash, static_cast<std::uint64_t>(record.branch.kind));
+        mix(hash, record.hit ? std::uint64_t{record.hit->primitive} + 1 : 0);
+        if (!record.hit) continue;
+        mix(hash, record.hit->element);
+        mix(hash, record.material);
+        // The lights that were asked, by where they stand, and what came through of each.
+        for (const LightRecord& light : record.lights) {
+            mix(hash, static_cast<std::uint64_t>(&light - record.lights.data()));
+            for (int i = 0; i < 3; ++i) mix(hash, std::hash<Real>{}(light.visible[i]));
+        }
+    }
+    mix(hash, world.groups.size());
+    return hash;
+}
+
+std::vector<std::uint64_t> decisions(const World& world) {
+    const View& view = world.view;
+    std::vector<std::uint64_t> result(static_cast<std::size_t>(view.width) *
+                                      static_cast<std::size_t>(view.height));
+    if (world.integrator == Integrator::Directions) return result;
+    tbb::parallel_for(0, view.height, [&](int y) {
+        for (int x = 0; x < view.width; ++x)
+            result[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) +
+                   static_cast<std::size_t>(x)] =
+                decision(world, trace_tree(world, pixel_ray(view, x + 0.5, y + 0.5)));
+    });
+    return result;
+}
+
+}  // namespace rt

@@ -1,0 +1,17 @@
+// A scene in POV-Ray's language: every statement means the same there as here, to rounding.
+// The mappings were measured with POV-Ray 3.7.0; references/README.md tells how to render what this writes.
+#pragma once
+
+#include "common/scene/scene.hpp"
+
+#include <string>
+
+namespace rt {
+
+/// The scene for POV-Ray 3.7, complete, and the same text for the same scene.
+///
+/// Numbers are written so that reading them gives back the same double. Throws InputError with the
+/// object's `file:line:column` and the reason for what POV-Ray cannot express.
+std::string export_povray(const Scene& scene);
+
+}  // namespace rt

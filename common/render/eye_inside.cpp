@@ -1,0 +1,33 @@
+// Which transparent objects the eye is inside of.
+#include "common/render/eye_inside.hpp"
+
+#include "common/scene/query.hpp"
+
+#include <algorithm>
+
+namespace rt {
+
+std::vector<Medium> objects_around_eye(const World& world) {
+    // A direction in general position, so that the line does not run along edges of things that are
+    // aligned with the axes.
+    const Ray ray{world.view.eye, glm::normalize(Vec3(0.41, 0.83, 0.37))};
+    std::vector<Medium> inside;  // in the order of leaving, so innermost first
+    Interval range;
+    while (const std::optional<Hit> hit = closest_hit(world, ray, range)) {
+        range.min = hit->t;
+        const Primitive& primitive = world.primitives[hit->primitive];
+        if (world.materials[primitive.material].transmission == Vec3(0)) continue;
+        const auto same = std::find_if(inside.begin(), inside.end(), [&](const Medium& m) {
+            return m.object == primitive.object;
+        });
+        // Crossed twice: the line entered and left again, so the eye is outside.
+        if (same == inside.end())
+            inside.push_back({primitive.object, primitive.material});
+        else
+            inside.erase(same);
+    }
+    std::reverse(inside.begin(), inside.end());
+    return inside;
+}
+
+}  // namespace rt

@@ -1,0 +1,14 @@
+// Which transparent objects the eye is inside of.
+#pragma once
+
+#include "common/scene/world.hpp"
+
+#include <vector>
+
+namespace rt {
+
+/// The transparent objects around the eye, outermost first: those that a line from the eye to
+/// infinity crosses an odd number of times. Objects are closed, or the answer means nothing.
+std::vector<Medium> objects_around_eye(const World& world);
+
+}  // namespace rt

@@ -1,0 +1,72 @@
+// The ray tree of one camera ray, written down: what was hit, what each light gave, what went on.
+#include "common/render/trace.hpp"
+
+#include "chapters/07_recursion/optics.hpp"
+#include "common/render/lights.hpp"
+#include "common/render/shade.hpp"
+
+namespace rt {
+namespace {
+
+void shade(const World& world, TraceRecord& record) {
+    const Ray& ray = record.branch.ray;
+    record.surface = surface_at(world, ray, *record.hit);
+    record.normal = turned_to_viewer(record.surface.shading_normal, ray.direction);
+    record.material = material_index(world, *record.hit, record.surface);
+    const Material& material = world.materials[record.material];
+    if (world.integrator != Integrator::Raytrace) {
+        record.local = color_function(world)(world, ray);
+        return;
+    }
+    record.local = material.ambient + material.emission;
+    if (!world.needs.lights) return;
+    visit_lights(world, record.surface, record.normal, [&](const LightSample& sample, const Vec3& visible) {
+        const Vec3 part = reflected_light(material, record.normal, -ray.direction, sample, visible);
+        record.lights.push_back({sample, visible, part});
+        record.local += part;
+    });
+}
+
+}  // namespace
+
+std::vector<TraceRecord> trace_tree(const World& world, const Ray& ray) {
+    const bool bounces = world.needs.reflection || world.needs.refraction;
+    TraceRecord first;
+    first.branch.ray = ray;
+    if (bounces)
+        for (const Medium& medium : world.eye_inside) first.branch.media = cross(first.branch.media, medium);
+    std::vector<TraceRecord> tree;
+    std::vector<TraceRecord> stack{first};
+    while (!stack.empty()) {
+        TraceRecord record = std::move(stack.back());
+        stack.pop_back();
+        const Media& media = record.branch.media;
+        record.weight = record.branch.weight;
+        record.local = world.background;
+        record.hit = closest_hit(world, record.branch.ray, {0, infinity});
+        const int index = static_cast<int>(tree.size());
+        if (record.hit) {
+            if (world.needs.absorption && media.count > 0) {
+                const Medium& medium = media.inside[media.count - 1];
+                record.weight *= transmitted(world.materials[medium.material].absorption, record.hit->t);
+            }
+            shade(world, record);
+            if (bounces) {
+                Branch arrived = record.branch;
+                arrived.weight = record.weight;
+                const Branches next =
+                    scatter(world, arrived, *record.hit, record.surface, world.materials[record.material]);
+                for (int i = next.count - 1; i >= 0; --i) {
+                    TraceRecord child;
+                    child.branch = next.branch[static_cast<std::size_t>(i)];
+                    child.parent = index;
+                    stack.push_back(std::move(child));
+                }
+            }
+        }
+        tree.push_back(std::move(record));
+    }
+    return tree;
+}
+
+}  // namespace rt

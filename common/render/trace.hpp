@@ -1,0 +1,36 @@
+// The ray tree of one camera ray, written down: what was hit, what each light gave, what went on.
+#pragma once
+
+#include "chapters/05_lighting/lighting.hpp"
+#include "chapters/07_recursion/radiance.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace rt {
+
+/// What one light gave to one hit.
+struct LightRecord {
+    LightSample sample;
+    Vec3 visible{1};       ///< which part of it arrived
+    Vec3 contribution{0};  ///< to the radiance at the hit, before the ray's weight
+};
+
+/// One ray of the tree.
+struct TraceRecord {
+    Branch branch;                    ///< its weight before absorption
+    int parent = -1;                  ///< index of the ray that spawned it; −1 for the camera ray
+    std::optional<Hit> hit;           ///< nothing: the background was seen
+    Surface surface;                  ///< where there is a hit
+    Vec3 normal{0};                   ///< shading normal turned to the viewer
+    std::uint32_t material = 0;       ///< index into World::materials
+    Vec3 weight{1};                   ///< after absorption on the way to the hit
+    Vec3 local{0};                    ///< radiance of the hit itself, or the background
+    std::vector<LightRecord> lights;  ///< those in front of the surface, in the world's order
+};
+
+/// The tree of `ray`, in the order in which `radiance` walks it. The sum of weight · local over it is the
+/// pixel's colour. Worlds that are not ray traced (flat, normals, ...) have one record.
+std::vector<TraceRecord> trace_tree(const World& world, const Ray& ray);
+
+}  // namespace rt

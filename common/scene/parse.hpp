@@ -1,0 +1,45 @@
+// Scene files to Scene: the complete language, one table of commands.
+// The language is described in README.md beside this file.
+#pragma once
+
+#include "common/scene/scene.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt {
+
+/// How strictly to read, and what else may be read.
+struct ParseOptions {
+    bool lenient = false;  ///< skip unknown commands with a warning; without this they are errors
+    bool meshes = true;    ///< `mesh` may read files; without this it is an error
+    std::vector<std::string>* warnings = nullptr;  ///< one line each is appended; may be null
+};
+
+/// The scene of a file. Meshes are looked for relative to the file's directory.
+/// Throws InputError for anything wrong: one line, `file:line:column: what is wrong`, or `file: …` where the
+/// file cannot be read. Columns count bytes from 1; a tab is one.
+Scene parse_scene(const std::filesystem::path& file, const ParseOptions& options = {});
+
+/// The same from text; `name` stands for the file in messages, meshes are looked for in `directory`.
+Scene parse_scene_text(std::string_view text, const std::string& name,
+                       const std::filesystem::path& directory = {}, const ParseOptions& options = {});
+
+/// One command of the language, as the reference documents it.
+struct SceneCommand {
+    std::string_view name;
+    std::string_view
+        arguments;  ///< one word an argument; `a|b` is a choice, a last `...` means any number more
+    std::string_view meaning;  ///< a sentence, in Markdown
+    std::string_view chapter;  ///< number of the chapter that brings it, such as "02"
+};
+
+/// All commands, in the order of the reference.
+const std::vector<SceneCommand>& scene_commands();
+
+/// The reference as a Markdown table, made from the commands.
+std::string scene_command_table();
+
+}  // namespace rt

@@ -1,0 +1,127 @@
+// What the readers of scene and mesh files share: whole files, lines, words and numbers.
+// Nothing here depends on the locale or allocates memory for each word.
+#include "common/scene/text.hpp"
+
+#include "common/math/input_error.hpp"
+#include "common/scene/suggest.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+namespace rt {
+
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+bool continues_utf8(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+/// `; did you mean 'x'?` for a path that does not exist, from the names beside it.
+std::string similar_file(const std::filesystem::path& path) {
+    std::vector<std::string> names;
+    std::error_code ignored;
+    const std::filesystem::path directory = path.has_parent_path() ? path.parent_path() : ".";
+    for (std::filesystem::directory_iterator entry(directory, ignored), end; !ignored && entry != end;
+         entry.increment(ignored))
+        names.push_back(entry->path().filename().string());
+    std::sort(names.begin(), names.end());
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    return did_you_mean(path.filename().string(), candidates);
+}
+
+}  // namespace
+
+ParsedNumber parse_number(std::string_view word) {
+    const char* begin = word.data();
+    const char* const end = begin + word.size();
+    if (begin != end && *begin == '+') ++begin;
+    if (begin == end || (begin != word.data() && *begin == '-')) return {0, "is not a number"};
+
+    Real value = 0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error == std::errc::invalid_argument) return {0, "is not a number"};
+    if (stop != end)
+        return {0, *stop == ',' ? "is not a number: decimals are written with a point" : "is not a number"};
+    if (error == std::errc::result_out_of_range) return {0, "is beyond the numbers that a double can hold"};
+    if (!std::isfinite(value)) return {0, "is not a finite number"};
+    return {value, {}};
+}
+
+std::string quoted(std::string_view word) {
+    constexpr std::size_t longest = 40;
+    std::size_t length = word.size();
+    if (length > longest) {
+        length = longest;
+        while (length > 0 && continues_utf8(word[length])) --length;
+    }
+    std::string text = "'";
+    for (const char c : word.substr(0, length)) text += is_control(c) ? '?' : c;
+    return text + (length < word.size() ? "…'" : "'");
+}
+
+std::string shown(Real value) {
+    std::array<char, 32> text{};
+    const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
+    return {text.data(), result.ptr};
+}
+
+void split_words(std::string_view line, std::vector<std::string_view>& words) {
+    words.clear();
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    while (true) {
+        while (at != end && is_blank(*at)) ++at;
+        const char* const begin = at;
+        while (at != end && !is_blank(*at) && *at != '#') ++at;
+        if (at == begin) return;
+        words.emplace_back(begin, static_cast<std::size_t>(at - begin));
+    }
+}
+
+std::string_view take_line(std::string_view& text, char line_end) {
+    const std::size_t length = std::min(text.find(line_end), text.size());
+    const std::string_view line = text.substr(0, length);
+    text.remove_prefix(std::min(length + 1, text.size()));
+    return line;
+}
+
+char line_end_of(std::string_view text) {
+    return text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos ? '\r'
+                                                                                                  : '\n';
+}
+
+std::string read_text(const std::filesystem::path& path, const std::string& name) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found)
+        throw InputError(name + ": there is no such file" + similar_file(path));
+    if (std::filesystem::is_directory(status)) throw InputError(name + ": is a directory, not a file");
+
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.string().c_str(), "rb"),
+                                                               std::fclose);
+    if (!file) throw InputError(name + ": cannot be read: " + std::strerror(errno));
+
+    std::string text;
+    std::vector<char> buffer(std::size_t{1} << 20);
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
+        text.append(buffer.data(), count);
+        if (std::memchr(buffer.data(), 0, count)) break;
+    }
+    if (std::ferror(file.get())) throw InputError(name + ": cannot be read: " + std::strerror(errno));
+    return text;
+}
+
+std::string_view without_bom(std::string_view text) {
+    return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
+}  // namespace rt

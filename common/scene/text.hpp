@@ -1,0 +1,49 @@
+// What the readers of scene and mesh files share: whole files, lines, words and numbers.
+#pragma once
+
+#include "common/math/vec.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt {
+
+/// A number as a file writes it, or what is wrong with the word.
+struct ParsedNumber {
+    Real value = 0;
+    std::string_view problem;  ///< continues "'word' …"; empty where all is well
+};
+
+/// The whole word as a decimal number: `1`, `+1`, `.5`, `5.`, `1e-3`, correctly rounded, in the C locale
+/// whatever the program's. NaN, infinity and what a double cannot hold are problems.
+ParsedNumber parse_number(std::string_view word);
+
+/// The word in quotes, fit for one line of a terminal: control characters become `?`, and after 40 bytes
+/// comes an ellipsis.
+std::string quoted(std::string_view word);
+
+/// A value as a message shows it: the shortest decimal number that reads back as the same double.
+std::string shown(Real value);
+
+/// Fills `words` with the words of a line, up to a `#`; they are parts of `line`. Words are separated by
+/// blanks, tabs, carriage returns and form feeds.
+void split_words(std::string_view line, std::vector<std::string_view>& words);
+
+/// Takes the next line, without its end, off the front of `text`; `text` must not be empty. Lines end with
+/// `line_end`, the last one also with the text.
+std::string_view take_line(std::string_view& text, char line_end);
+
+/// How lines end in `text`: '\n' (a '\r' before it counts as a blank), or '\r' where there is no '\n'.
+char line_end_of(std::string_view text);
+
+/// The content of a text file. Throws InputError, with `name` in front and the reason, where there is no such
+/// file (with a suggestion where one of a similar name is beside it), it is a directory, or it cannot be
+/// read. Reading stops soon after a NUL byte, because no text has one.
+std::string read_text(const std::filesystem::path& path, const std::string& name);
+
+/// A byte order mark of UTF-8 taken off the front.
+std::string_view without_bom(std::string_view text);
+
+}  // namespace rt

@@ -1,0 +1,255 @@
+// Figures of chapter 2: the geometry, what cancellation does to a far sphere, what mistakes look like.
+// Usage: figures_02 DIRECTORY
+#include "chapters/02_spheres/sphere.hpp"
+#include "common/image/file.hpp"
+#include "common/image/svg.hpp"
+#include "common/render/compile.hpp"
+#include "common/render/render.hpp"
+#include "common/scene/parse.hpp"
+#include "tests/oracle/sphere.hpp"
+#include "tests/stability/naive.hpp"
+#include "tests/support.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+using namespace rt;
+namespace fs = std::filesystem;
+
+namespace {
+
+// ------------------------------------------------------------------------------------------- geometry
+
+const SvgStyle outline{.stroke = svg_color::ink, .width = 2, .fill = "#eef3f7"};
+const SvgStyle solid{.stroke = svg_color::blue, .width = 2};
+const SvgStyle backwards{.stroke = svg_color::grey, .width = 1.5, .dash = "4 4"};
+
+void dot_at(Svg& svg, Vec2 at, const char* color, bool filled = true) {
+    circle(svg, at, 5, {.stroke = color, .width = 2, .fill = filled ? color : "white"});
+}
+
+Svg perpendicular() {
+    Svg svg{.width = 700, .height = 300, .body = {}};
+    const Vec2 o{50, 225}, c{470, 135}, foot{c.x, o.y};
+    const Real r = 120, half = std::sqrt(r * r - (foot.y - c.y) * (foot.y - c.y));
+    const Vec2 t0{foot.x - half, o.y}, t1{foot.x + half, o.y};
+    circle(svg, c, r, outline);
+    line(svg, o, {680, o.y}, {.stroke = svg_color::grey, .width = 1.5});
+    arrow(svg, o, {150, o.y}, {.stroke = svg_color::blue, .width = 3}, 12);
+    arrow(svg, c, o, {.stroke = svg_color::ink, .width = 1.5});
+    arrow(svg, c, foot, {.stroke = svg_color::red, .width = 2.5});
+    line(svg, c, t1, {.stroke = svg_color::green, .width = 2});
+    line(svg, foot, t1, {.stroke = svg_color::orange, .width = 4});
+    rectangle(svg, {foot.x, foot.y - 12}, {12, 12}, {.stroke = svg_color::grey, .width = 1});
+    for (const Vec2& p : {o, c}) dot_at(svg, p, svg_color::ink);
+    for (const Vec2& p : {t0, t1}) dot_at(svg, p, svg_color::orange);
+    const SvgFont name{.size = 17, .italic = true};
+    text(svg, o + Vec2(-6, 26), "o", name);
+    text(svg, c + Vec2(8, -8), "centre");
+    text(svg, {105, 250}, "d", {.size = 17, .color = svg_color::blue, .italic = true});
+    text(svg, {150, 165}, "f = o − centre", name);
+    text(svg, {foot.x - 24, 195}, "w", {.size = 17, .color = svg_color::red, .italic = true});
+    text(svg, {c.x + 50, 185}, "r", {.size = 17, .color = svg_color::green, .italic = true});
+    text(svg, t0 + Vec2(-30, 26), "t0", name);
+    text(svg, t1 + Vec2(10, -10), "t1", name);
+    line(svg, {foot.x + half / 2, o.y + 4}, {foot.x + 95, 270}, {.stroke = "#a06c00", .width = 1});
+    text(svg, {foot.x + 100, 275}, "√(r² − w·w)", {.size = 16, .color = "#a06c00"});
+    text(svg, {foot.x - 6, 247}, "−h/a", {.size = 15, .anchor = "end"});
+    return svg;
+}
+
+Svg four_cases() {
+    Svg svg{.width = 720, .height = 250, .body = {}};
+    const Real r = 48, cy = 130;
+    const auto root_x = [&](Real y) { return std::sqrt(r * r - (y - cy) * (y - cy)); };
+    const auto panel = [&](int i, const char* title) {
+        const Vec2 c{90.0 + 180 * i, cy};
+        text(svg, {c.x, 28}, title, {.size = 15, .anchor = "middle", .bold = true});
+        circle(svg, c, r, outline);
+        return c.x;
+    };
+    const SvgFont below{.size = 13, .anchor = "middle"};
+
+    Real x = panel(0, "two roots ahead"), y = cy + 20;
+    arrow(svg, {x - 80, y}, {x + 80, y}, solid);
+    dot_at(svg, {x - 80, y}, svg_color::blue);
+    dot_at(svg, {x - root_x(y), y}, svg_color::red);
+    dot_at(svg, {x + root_x(y), y}, svg_color::red, false);
+    text(svg, {x, 225}, "0 < t0 < t1: hit at t0", below);
+
+    x = panel(1, "tangent"), y = cy - r;
+    arrow(svg, {x - 80, y}, {x + 80, y}, solid);
+    dot_at(svg, {x - 80, y}, svg_color::blue);
+    dot_at(svg, {x, y}, svg_color::red);
+    text(svg, {x, 225}, "t0 = t1: hit once", below);
+
+    x = panel(2, "from inside"), y = cy + 10;
+    line(svg, {x - 80, y}, {x - 10, y}, backwards);
+    arrow(svg, {x - 10, y}, {x + 80, y}, solid);
+    dot_at(svg, {x - 10, y}, svg_color::blue);
+    dot_at(svg, {x - root_x(y), y}, svg_color::red, false);
+    dot_at(svg, {x + root_x(y), y}, svg_color::red);
+    text(svg, {x, 225}, "t0 ≤ 0 < t1: hit at t1", below);
+
+    x = panel(3, "none"), y = cy + 15;
+    arrow(svg, {x - 80, cy - 65}, {x + 80, cy - 65}, solid);
+    dot_at(svg, {x - 80, cy - 65}, svg_color::blue);
+    line(svg, {x - 80, y}, {x + 58, y}, backwards);
+    arrow(svg, {x + 58, y}, {x + 88, y}, solid);
+    dot_at(svg, {x + 58, y}, svg_color::blue);
+    dot_at(svg, {x - root_x(y), y}, svg_color::red, false);
+    dot_at(svg, {x + root_x(y), y}, svg_color::red, false);
+    text(svg, {x, 225}, "no root, or both behind", below);
+    return svg;
+}
+
+// ------------------------------------------------------------------------------------------ cancellation
+
+using Method = Roots (*)(const Sphere&, const Ray&);
+
+/// Line from far away towards the point (x, y) of a disc around the origin that faces the line's origin.
+Ray towards_disc(Real distance, Real x, Real y) {
+    const Vec3 w = normalize(Vec3(1, 1.5, 2)), u = normalize(cross(Vec3(0, 1, 0), w)), v = cross(w, u);
+    const Vec3 from = distance * w;
+    return {from, normalize(x * u + y * v - from)};
+}
+
+/// A cell a distance, in radii, and a row a method: the normals of the unit sphere at the smaller root.
+Image far_spheres(const std::vector<Method>& methods, const std::vector<Real>& distances, int cell) {
+    Image image =
+        make_image(cell * static_cast<int>(distances.size()), cell * static_cast<int>(methods.size()));
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const auto at = [&](int i) { return 2.4 * ((i % cell + 0.5) / cell - 0.5); };
+            const Ray ray = towards_disc(distances[static_cast<std::size_t>(x / cell)], at(x), -at(y));
+            const Sphere sphere{{0, 0, 0}, 1};
+            const Roots roots = methods[static_cast<std::size_t>(y / cell)](sphere, ray);
+            pixel(image, x, y) = Vec3(0.02, 0.02, 0.03);
+            if (roots.count > 0) pixel(image, x, y) = 0.5 * (normalize(point_at(ray, roots.t0)) + 1.0);
+        }
+    return image;
+}
+
+/// For each distance: how many of many lines are judged wrongly, and how far from the sphere the points are
+/// that the roots lead to. Judged by exact arithmetic.
+std::string far_sphere_errors() {
+    const int lines = 10000;
+    std::string csv =
+        "distance from the surface in radii,wrong of 10000 (naive),wrong of 10000 (stable),"
+        "farthest from the sphere in radii (naive),farthest from the sphere in radii (stable)\n";
+    const std::vector<Method> methods{naive::intersections, intersections};
+    for (int power = 0; power <= 8; ++power) {
+        int wrong[2] = {};
+        Real off[2] = {};
+        test::Random random(2200);
+        for (int i = 0; i < lines; ++i) {
+            const Real x = random.uniform(-1.2, 1.2), y = random.uniform(-1.2, 1.2);
+            const Sphere sphere{{0, 0, 0}, 1};
+            const Ray ray = towards_disc(1 + std::pow(10.0, power), x, y);
+            for (std::size_t m = 0; m < methods.size(); ++m) {
+                const Roots roots = methods[m](sphere, ray);
+                const oracle::SphereTruth truth = oracle::judge_sphere(sphere, ray, roots.t0, roots.t1);
+                const bool hit = roots.count > 0;
+                wrong[m] += hit != (truth.roots > 0);
+                if (hit && truth.roots > 0) off[m] = std::max(off[m], std::abs(truth.distance0));
+            }
+        }
+        csv += fmt::format("1e{},{},{},{:.0e},{:.0e}\n", power, wrong[0], wrong[1], off[0], off[1]);
+    }
+    return csv;
+}
+
+/// Relative error of the smaller root of t² − 2·10^k·t + 1, judged by exact arithmetic.
+std::string small_root_errors() {
+    std::string csv = "h,small root (exact to 6 digits),error of (-h - s)/a,error of c/q\n";
+    for (int power = 1; power <= 8; ++power) {
+        const Real h = -std::pow(10.0, power), discriminant = h * h - 1;
+        const Real naive = -h - std::sqrt(discriminant);
+        const Real stable = solve_quadratic(1, h, 1, discriminant).t0;
+        const oracle::QuadraticTruth truth = oracle::judge_quadratic(1, h, 1, naive, stable);
+        const oracle::QuadraticTruth again = oracle::judge_quadratic(1, h, 1, stable, naive);
+        csv += fmt::format("-1e{},{:.6g},{:.0e},{:.0e}\n", power, truth.t0, std::abs(truth.error0 / truth.t0),
+                           std::abs(again.error0 / again.t0));
+    }
+    return csv;
+}
+
+// ---------------------------------------------------------------------------------------------- mistakes
+
+const std::vector<Sphere> still_life{{{-0.35, 0.55, 4}, 0.45},  // behind the eye
+                                     {{0, -0.65, -3}, 0.35},
+                                     {{0.9, -0.35, -3.9}, 0.65},
+                                     {{-0.9, 0.1, -4.6}, 1.1},
+                                     {{1.5, 0.9, -5.5}, 0.5}};
+
+/// What one pixel shows; the eye is the origin.
+using Look = std::function<Vec3(const Ray&)>;
+
+const Vec3 nothing{0.02, 0.02, 0.03};
+
+Vec3 as_color(const Vec3& n) { return 0.5 * (n + 1.0); }
+
+/// The loop over all spheres with a choice of root and of hit that the lesson's reader might make.
+Look mistaken(const std::function<std::optional<Real>(const Roots&)>& choose, bool keep_last,
+              const std::function<Vec3(const Sphere&, const Vec3&)>& normal) {
+    return [=](const Ray& ray) {
+        Real nearest = infinity;
+        Vec3 color = nothing;
+        for (const Sphere& sphere : still_life) {
+            const Roots roots = intersections(sphere, ray);
+            if (roots.count == 0) continue;
+            const std::optional<Real> t = choose(roots);
+            if (!t || (*t > nearest && !keep_last)) continue;
+            nearest = *t;
+            color = as_color(normal(sphere, point_at(ray, *t)));
+        }
+        return color;
+    };
+}
+
+Image mistakes() {
+    const auto nearer = [](const Roots& r) { return r.t0 > 0 ? std::optional(r.t0) : std::nullopt; };
+    const auto farther = [](const Roots& r) { return r.t1 > 0 ? std::optional(r.t1) : std::nullopt; };
+    const auto unchecked = [](const Roots& r) { return std::optional(r.t0); };
+    const auto outward = [](const Sphere& s, const Vec3& p) { return normalize(p - s.center); };
+    const auto inward = [](const Sphere& s, const Vec3& p) { return normalize(s.center - p); };
+    const auto long_normal = [](const Sphere& s, const Vec3& p) { return p - s.center; };
+    const std::vector<Look> looks{mistaken(nearer, false, outward),     mistaken(farther, false, outward),
+                                  mistaken(unchecked, false, outward),  mistaken(nearer, false, inward),
+                                  mistaken(nearer, false, long_normal), mistaken(nearer, true, outward)};
+    const int width = 160, height = 120, columns = 3, gap = 6;
+    Image image = make_image(columns * (width + gap) - gap, 2 * (height + gap) - gap);
+    for (Vec3& p : image.pixels) p = Vec3(1);
+    for (int i = 0; i < static_cast<int>(looks.size()); ++i)
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const Vec3 d((x + 0.5 - width / 2) / width, (height / 2 - y - 0.5) / width, -0.9);
+                pixel(image, i % columns * (width + gap) + x, i / columns * (height + gap) + y) =
+                    looks[static_cast<std::size_t>(i)]({Vec3(0), normalize(d)});
+            }
+    return image;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const fs::path out = argc > 1 ? argv[1] : ".";
+    write_svg(out / "perpendicular.svg", perpendicular());
+    write_svg(out / "four_cases.svg", four_cases());
+    write_image(out / "far_sphere.png",
+                far_spheres({naive::intersections, intersections}, {1e6, 1e7, 3e7, 1e8}, 100));
+    write_file(out / "far_sphere.csv", far_sphere_errors());
+    write_file(out / "small_root.csv", small_root_errors());
+    write_image(out / "mistakes.png", mistakes());
+    for (const char* name : {"normals", "inside", "row", "far"}) {
+        Scene scene = parse_scene(fs::path(__FILE__).parent_path() / (std::string(name) + ".scene"));
+        scene.width = 240;
+        scene.height = 180;
+        write_image(out / (std::string(name) + ".png"), render(compile(scene)).image, scene.encoding);
+    }
+}

@@ -1,0 +1,77 @@
+// Optics of a smooth surface: where light goes, and how much of it.
+#include "chapters/07_recursion/optics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+/// cosₜ² by Snell's law, negative where reflection is total.
+Real refracted_cosine_squared(Real cos_i, Real eta) {
+    // [exercise 07.2] Snell's law says sinₜ = eta·sinᵢ, so cosₜ² = 1 − eta²·(1 − cosᵢ²). Return that in the form
+    // (1 − eta)·(1 + eta) + (eta·cosᵢ)², in which the large terms have cancelled on paper already.
+    return (1 - eta) * (1 + eta) + (eta * cos_i) * (eta * cos_i);
+    // [/exercise]
+}
+
+}  // namespace
+
+Vec3 reflect(const Vec3& d, const Vec3& n) {
+    // [exercise 07.1] Turn the part of d along n around: d − 2(d·n)n.
+    return d - 2 * dot(d, n) * n;
+    // [/exercise]
+}
+
+std::optional<Vec3> refract(const Vec3& d, const Vec3& n, Real eta) {
+    // [exercise 07.2] cosᵢ = −d·n; the function above gives cosₜ². Negative: reflection is total, return
+    // nothing. Only then take the root. The direction is eta·d + (eta·cosᵢ − cosₜ)·n, made a unit vector.
+    const Real cos_i = -dot(d, n);
+    const Real cos_t_squared = refracted_cosine_squared(cos_i, eta);
+    // Written so that a NaN, which is not less than 0 either, takes this way out too.
+    if (!(cos_t_squared >= 0)) return std::nullopt;
+    return normalize(eta * d + (eta * cos_i - std::sqrt(cos_t_squared)) * n);
+    // [/exercise]
+}
+
+Real fresnel(Real cos_i, Real eta) {
+    // [exercise 07.3] With cosₜ from Snell's law (where it does not exist, 1 is reflected), the amplitudes
+    // are r∥ = (cosᵢ − eta·cosₜ)/(cosᵢ + eta·cosₜ) and r⊥ = (eta·cosᵢ − cosₜ)/(eta·cosᵢ + cosₜ), and of
+    // unpolarised light the part (r∥² + r⊥²)/2 is reflected. Where cosᵢ is 0, all of it is.
+    const Real cos_t_squared = refracted_cosine_squared(cos_i, eta);
+    if (!(cos_i > 0) || !(cos_t_squared > 0)) return 1;
+    const Real cos_t = std::sqrt(cos_t_squared);
+    const Real parallel = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+    const Real perpendicular = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+    return (parallel * parallel + perpendicular * perpendicular) / 2;
+    // [/exercise]
+}
+
+Real schlick(Real cos_i, Real eta) {
+    // [exercise 07.3] F0 = ((1 − eta)/(1 + eta))², and R = F0 + (1 − F0)·(1 − cos)⁵. The cosine is cosᵢ, but
+    // for eta > 1 it is cosₜ (and 1 is reflected where that does not exist).
+    const Real root = (1 - eta) / (1 + eta);
+    const Real f0 = root * root;
+    Real cosine = cos_i;
+    if (eta > 1) {
+        const Real cos_t_squared = refracted_cosine_squared(cos_i, eta);
+        if (!(cos_t_squared > 0)) return 1;
+        cosine = std::sqrt(cos_t_squared);
+    }
+    // A cosine may be 1 + u by rounding, and an odd power keeps the sign.
+    const Real m = std::max(1 - cosine, Real(0));
+    return f0 + (1 - f0) * m * m * m * m * m;
+    // [/exercise]
+}
+
+Vec3 transmitted(const Vec3& absorption, Real distance) {
+    // [exercise 07.4] exp(−absorption · distance) in each channel; 1 where the absorption is 0, also for an
+    // infinite distance, where 0·∞ would be NaN.
+    Vec3 left(1);
+    for (int i = 0; i < 3; ++i)
+        if (absorption[i] != 0) left[i] = std::exp(-absorption[i] * distance);
+    return left;
+    // [/exercise]
+}
+
+}  // namespace rt

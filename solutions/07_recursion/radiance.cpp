@@ -1,0 +1,123 @@
+// The tree of rays: Whitted's ray tracer (1980).
+#include "chapters/07_recursion/radiance.hpp"
+
+#include "chapters/06_shadows/shadow.hpp"
+#include "chapters/07_recursion/optics.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace rt {
+namespace {
+
+Real ior(const World& world, const Media& media) {
+    return media.count == 0 ? 1 : world.materials[media.inside[media.count - 1].material].ior;
+}
+
+/// What is left of light after `distance` in the medium around the ray.
+Vec3 left_after(const World& world, const Media& media, Real distance) {
+    if (media.count == 0) return Vec3(1);
+    return transmitted(world.materials[media.inside[media.count - 1].material].absorption, distance);
+}
+
+Vec3 turned_against(const Vec3& n, const Vec3& d) { return dot(n, d) > 0 ? -n : n; }
+
+/// Appends a ray that leaves the surface, unless nothing worth following would arrive along it.
+void add(const World& world, Branches& branches, const Branch& incoming, const Surface& surface, RayKind kind,
+         const Vec3& direction, const Vec3& factor, const Media& media) {
+    const Vec3 weight = incoming.weight * factor;
+    if (!(std::max({weight.x, weight.y, weight.z}) > world.min_contribution)) return;
+    const Ray ray{offset_origin(surface, direction), direction, incoming.ray.time};
+    branches.branch[static_cast<std::size_t>(branches.count++)] = {ray, weight, incoming.depth + 1, kind, media};
+}
+
+}  // namespace
+
+Media cross(const Media& media, Medium medium) {
+    // [exercise 07.4] If the object is among the first `count` of media.inside, remove it and close the gap;
+    // else append it, if there is room.
+    Media after = media;
+    const auto begin = after.inside.begin(), end = begin + after.count;
+    const auto same = std::find_if(begin, end, [&](const Medium& m) { return m.object == medium.object; });
+    if (same != end) {
+        std::copy(same + 1, end, same);
+        --after.count;
+    } else if (after.count < after.inside.size()) {
+        after.inside[after.count++] = medium;
+    }
+    return after;
+    // [/exercise]
+}
+
+Branches scatter(const World& world, const Branch& incoming, const Hit& hit, const Surface& surface,
+                 const Material& material) {
+    // [exercise 07.5] Nothing goes on once incoming.depth is world.max_depth. Let n be the shading normal,
+    // turned against the ray. An opaque material sends one mirror ray with the factor `specular`. A
+    // transparent one: eta = ior(before)/ior(after) with `cross`; R = fresnel or schlick as the material
+    // says; mirror factor R (specular where it says none), refracted factor (1 − R)·transmission. Where
+    // refract returns nothing, that factor is added to the mirror ray's. `add` above keeps the books.
+    Branches branches;
+    if (incoming.depth >= world.max_depth) return branches;
+    const Vec3& d = incoming.ray.direction;
+    const Vec3 n = turned_against(surface.shading_normal, d);
+    Vec3 mirror = material.specular;
+    if (material.transmission == Vec3(0)) {
+        add(world, branches, incoming, surface, RayKind::Reflection, reflect(d, n), mirror, incoming.media);
+        return branches;
+    }
+    const Primitive& primitive = world.primitives[hit.primitive];
+    const Media after = cross(incoming.media, {primitive.object, primitive.material});
+    const Real eta = ior(world, incoming.media) / ior(world, after);
+    Vec3 through = material.transmission;
+    if (material.fresnel != Fresnel::None) {
+        const auto reflectance = material.fresnel == Fresnel::Exact ? fresnel : schlick;
+        const Real r = reflectance(std::min(-dot(d, n), Real(1)), eta);
+        mirror = Vec3(r);
+        through *= 1 - r;
+    }
+    const std::optional<Vec3> refracted = refract(d, n, eta);
+    if (!refracted) mirror += through;
+    add(world, branches, incoming, surface, RayKind::Reflection, reflect(d, n), mirror, incoming.media);
+    if (refracted)
+        add(world, branches, incoming, surface, RayKind::Refraction, *refracted, through, after);
+    return branches;
+    // [/exercise]
+}
+
+Vec3 radiance(const World& world, const Ray& ray) {
+    Branch camera;
+    camera.ray = ray;
+    for (const Medium& medium : world.eye_inside) camera.media = cross(camera.media, medium);
+    // [exercise 07.6] Keep the rays still to be traced on a stack (a std::vector), at first the camera ray.
+    // While there are any: take the last one off. If world.needs.absorption, multiply its weight by what the
+    // medium leaves of the light on the way to the hit (`left_after` above; the way is infinite where nothing
+    // is hit). Where it hits nothing, add weight · background. Else add weight · local_light, and push
+    // what `scatter` returns, the last branch first, so that the reflected ray is traced next. Count each
+    // pushed ray in ray_counts().reflection or .refraction.
+    Vec3 sum(0);
+    std::vector<Branch> stack{camera};
+    while (!stack.empty()) {
+        Branch branch = stack.back();
+        stack.pop_back();
+        const std::optional<Hit> hit = closest_hit(world, branch.ray, {0, infinity});
+        if (world.needs.absorption) branch.weight *= left_after(world, branch.media, hit ? hit->t : infinity);
+        if (!hit) {
+            sum += branch.weight * world.background;
+            continue;
+        }
+        const Surface surface = surface_at(world, branch.ray, *hit);
+        const Material& material = material_at(world, *hit, surface);
+        const Vec3 n = turned_against(surface.shading_normal, branch.ray.direction);
+        sum += branch.weight * local_light(world, surface, material, n, -branch.ray.direction);
+        const Branches next = scatter(world, branch, *hit, surface, material);
+        for (int i = next.count - 1; i >= 0; --i) {
+            const Branch& one = next.branch[static_cast<std::size_t>(i)];
+            ++(one.kind == RayKind::Reflection ? ray_counts().reflection : ray_counts().refraction);
+            stack.push_back(one);
+        }
+    }
+    return sum;
+    // [/exercise]
+}
+
+}  // namespace rt

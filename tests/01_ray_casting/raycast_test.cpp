@@ -1,0 +1,143 @@
+// Step 01.6: the colour along a ray, and the loop over the pixels.
+#include "chapters/01_ray_casting/raycast.hpp"
+
+#include "chapters/01_ray_casting/camera.hpp"
+#include "common/math/error.hpp"
+#include "tests/01_ray_casting/show.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+using namespace rt;
+using namespace rt::test;
+
+namespace {
+
+/// Planes z = −1, −2, ... in this order, plane k with ambient (k + 1)/8 and emission (0, 0, 1/4), in front of
+/// a sky.
+World walls(int count) {
+    World world;
+    world.background = {0.5, 0.625, 0.75};
+    world.integrator = Integrator::Flat;
+    Planes planes;
+    for (int k = 0; k < count; ++k) {
+        const auto index = static_cast<std::uint32_t>(k);
+        planes.shapes.push_back({{0, 0, -1.0 - k}, {0, 0, 1}});
+        planes.primitive.push_back(index);
+        world.primitives.push_back({.group = 0, .index = index, .material = index, .object = index});
+        Material material;
+        material.ambient = Vec3((k + 1) / 8.0);
+        material.diffuse = Vec3(0.9);  // no light falls here: it must not show
+        material.emission = Vec3(0, 0, 0.25);
+        world.materials.push_back(material);
+    }
+    if (count > 0) world.groups.push_back(planes);
+    return world;
+}
+
+/// Makes the world look along −z from the origin, orthographically: each pixel is 1 × 1, the ray through
+/// the point (x, y) starts at (x − width/2, height/2 − y, 0).
+World with_pixels(World world, int width, int height) {
+    world.view.projection = Projection::Orthographic;
+    world.view.width = width;
+    world.view.height = height;
+    world.view.half_height = height / 2.0;
+    return world;
+}
+
+/// Positions up to 5 are off by some roundings at most, however a and b are computed.
+constexpr Real bound = 64 * unit_roundoff;
+
+Vec3 origin_as_color(const World&, const Ray& ray) { return ray.origin; }
+
+}  // namespace
+
+TEST_CASE("a ray that meets nothing shows the background", "[01.6]") {
+    const Ray away{{0, 0, 0}, {0, 0, 1}};
+    CHECK(cast_ray(walls(0), away) == Vec3(0.5, 0.625, 0.75));
+    CHECK(cast_ray(walls(2), away) == Vec3(0.5, 0.625, 0.75));
+}
+
+TEST_CASE("a ray shows ambient plus emission of what it meets", "[01.6]") {
+    CHECK(cast_ray(walls(1), {{0, 0, 0}, {0, 0, -1}}) == Vec3(0.125, 0.125, 0.375));
+}
+
+TEST_CASE("a ray shows the nearest thing in front of it", "[01.6]") {
+    const World world = walls(3);
+    CHECK(cast_ray(world, {{0, 0, 0}, {0, 0, -1}}) == Vec3(0.125, 0.125, 0.375));
+    CHECK(cast_ray(world, {{0, 0, -1.5}, {0, 0, -1}}) == Vec3(0.25, 0.25, 0.5));
+    CHECK(cast_ray(world, {{0, 0, -9}, {0, 0, 1}}) == Vec3(0.375, 0.375, 0.625));
+}
+
+TEST_CASE("a ray goes on as far as there is something", "[01.6]") {
+    CHECK(cast_ray(walls(1), {{0, 0, 1e12}, {0, 0, -1}}) == Vec3(0.125, 0.125, 0.375));
+    CHECK(cast_ray(walls(1), {{0, 0, 0}, {0, 0, -1e-15}}) == Vec3(0.125, 0.125, 0.375));
+}
+
+TEST_CASE("a tile comes row by row from its top left, each pixel seen through its centre", "[01.6]") {
+    const World world = with_pixels(walls(0), 4, 2);
+    const std::vector<Vec3> colors =
+        render_tile(world, {.x0 = 0, .y0 = 0, .x1 = 4, .y1 = 2}, origin_as_color);
+    REQUIRE(colors.size() == 8);
+    CHECK(near(colors[0], Vec3(-1.5, 0.5, 0), bound));
+    CHECK(near(colors[1], Vec3(-0.5, 0.5, 0), bound));
+    CHECK(near(colors[3], Vec3(1.5, 0.5, 0), bound));
+    CHECK(near(colors[4], Vec3(-1.5, -0.5, 0), bound));
+    CHECK(near(colors[7], Vec3(1.5, -0.5, 0), bound));
+}
+
+TEST_CASE("a tile inside the picture holds its own pixels and no others", "[01.6]") {
+    const World world = with_pixels(walls(0), 10, 8);
+    const std::vector<Vec3> colors =
+        render_tile(world, {.x0 = 3, .y0 = 2, .x1 = 5, .y1 = 5}, origin_as_color);
+    REQUIRE(colors.size() == 6);
+    for (int y = 2; y < 5; ++y) {
+        for (int x = 3; x < 5; ++x) {
+            INFO("pixel (" << x << ", " << y << ")");
+            const auto place = static_cast<std::size_t>((y - 2) * 2 + x - 3);
+            CHECK(near(colors[place], Vec3(x + 0.5 - 5, 4 - (y + 0.5), 0), bound));
+        }
+    }
+}
+
+TEST_CASE("a tile of one pixel, and empty ones", "[01.6]") {
+    const World world = with_pixels(walls(0), 4, 2);
+    const std::vector<Vec3> last = render_tile(world, {.x0 = 3, .y0 = 1, .x1 = 4, .y1 = 2}, origin_as_color);
+    REQUIRE(last.size() == 1);
+    CHECK(near(last[0], Vec3(1.5, -0.5, 0), bound));
+    CHECK(render_tile(world, {.x0 = 2, .y0 = 0, .x1 = 2, .y1 = 2}, origin_as_color).empty());
+    CHECK(render_tile(world, {.x0 = 0, .y0 = 1, .x1 = 4, .y1 = 1}, origin_as_color).empty());
+}
+
+TEST_CASE("tiles side by side make the same picture as one tile", "[01.6]") {
+    Random random(61);
+    for (int i = 0; i < cases(100); ++i) {
+        const int width = 1 + static_cast<int>(random.index(20)),
+                  height = 1 + static_cast<int>(random.index(20));
+        World world = with_pixels(walls(0), width, height);
+        world.view.projection = Projection::Perspective;
+        const auto direction = [](const World&, const Ray& ray) { return ray.direction; };
+        const Tile whole{.x0 = 0, .y0 = 0, .x1 = width, .y1 = height};
+        const std::vector<Vec3> picture = render_tile(world, whole, direction);
+        REQUIRE(picture.size() == static_cast<std::size_t>(width * height));
+        const int x = static_cast<int>(random.index(static_cast<std::size_t>(width))), y = height / 2;
+        for (const Tile& tile :
+             {Tile{0, 0, x, y}, Tile{x, 0, width, y}, Tile{0, y, x, height}, Tile{x, y, width, height}}) {
+            const std::vector<Vec3> part = render_tile(world, tile, direction);
+            REQUIRE(part.size() == static_cast<std::size_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0)));
+            std::size_t next = 0;
+            for (int row = tile.y0; row < tile.y1; ++row) {
+                for (int column = tile.x0; column < tile.x1; ++column) {
+                    INFO(width << " x " << height << ", pixel (" << column << ", " << row << ")");
+                    REQUIRE(part[next++] == picture[static_cast<std::size_t>(row * width + column)]);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("the loop hands on the world that it was given", "[01.6]") {
+    const World world = with_pixels(walls(2), 2, 2);
+    const auto colors = render_tile(world, {.x0 = 0, .y0 = 0, .x1 = 2, .y1 = 2}, cast_ray);
+    REQUIRE(colors.size() == 4);
+    for (const Vec3& color : colors) CHECK(color == Vec3(0.125, 0.125, 0.375));
+}

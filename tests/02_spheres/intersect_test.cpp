@@ -1,0 +1,228 @@
+// Steps 02.2 and 02.3: where a line meets a sphere, and which of these points a ray hits.
+#include "chapters/02_spheres/sphere.hpp"
+#include "common/math/error.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+using namespace rt;
+using test::cases;
+using test::Random;
+
+namespace {
+
+const Sphere unit_sphere{{0, 0, 0}, 1};
+const Interval ahead{0, infinity};
+
+struct Case {
+    Sphere sphere;
+    Ray ray;
+};
+
+/// A random line and a sphere at `miss` radii from it, nearest to the centre at a t in [-reach, reach).
+Case aimed(Random& random, Real miss, Real reach) {
+    const Real foot = random.uniform(-reach, reach);
+    const Vec3 d = random.direction();
+    const Vec3 side = normalize(cross(d, random.direction()));
+    const Ray ray{10.0 * random.in_cube(), random.magnitude(-3, 3) * d};
+    const Real radius = random.magnitude(-3, 3);
+    return {{point_at(ray, foot) + miss * radius * side, radius}, ray};
+}
+
+std::string describe(const Case& c) {
+    const auto [center, radius] = c.sphere;
+    const Vec3 &o = c.ray.origin, &d = c.ray.direction;
+    std::ostringstream out;
+    out.precision(17);
+    out << "sphere " << center.x << ' ' << center.y << ' ' << center.z << " radius " << radius
+        << "\nray from " << o.x << ' ' << o.y << ' ' << o.z << " along " << d.x << ' ' << d.y << ' ' << d.z;
+    return out.str();
+}
+
+/// What rounding can add to the distance between the centre and a point of the surface, seen from the ray's
+/// origin: a dozen rounded operations, each off by u times the greatest length that occurs.
+Real slack(const Case& c) { return gamma(12) * (length(c.ray.origin - c.sphere.center) + c.sphere.radius); }
+
+void check_roots(const Sphere& sphere, const Ray& ray, Real t0, Real t1) {
+    const Roots roots = intersections(sphere, ray);
+    INFO(describe({sphere, ray}));
+    INFO("expected t0 = " << t0 << ", t1 = " << t1);
+    INFO("actual   t0 = " << roots.t0 << ", t1 = " << roots.t1 << ", count = " << roots.count);
+    CHECK(roots.count == (t0 == t1 ? 1 : 2));
+    CHECK(roots.t0 == t0);
+    CHECK(roots.t1 == t1);
+}
+
+void check_hit(const Sphere& sphere, const Ray& ray, Interval range, Real t) {
+    const std::optional<Hit> hit = intersect(sphere, ray, range);
+    INFO(describe({sphere, ray}) << "\nrange (" << range.min << ", " << range.max << "]");
+    INFO("expected t = " << t << ", actual " << (hit ? std::to_string(hit->t) : "no hit"));
+    REQUIRE(hit.has_value());
+    CHECK(hit->t == t);
+}
+
+void check_miss(const Sphere& sphere, const Ray& ray, Interval range) {
+    const std::optional<Hit> hit = intersect(sphere, ray, range);
+    INFO(describe({sphere, ray}) << "\nrange (" << range.min << ", " << range.max << "]");
+    INFO("expected no hit, actual t = " << (hit ? hit->t : 0));
+    CHECK_FALSE(hit.has_value());
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------------ 02.2 intersections
+
+TEST_CASE("a line through the unit sphere from five units away meets it at 4 and 6", "[02.2]") {
+    check_roots(unit_sphere, {{0, 0, 5}, {0, 0, -1}}, 4, 6);
+}
+
+TEST_CASE("t counts lengths of the direction", "[02.2]") {
+    check_roots(unit_sphere, {{0, 0, 5}, {0, 0, -2}}, 2, 3);
+    check_roots(unit_sphere, {{0, 0, 5}, {0, 0, -0.5}}, 8, 12);
+}
+
+TEST_CASE("a sphere behind the origin has negative roots", "[02.2]") {
+    check_roots(unit_sphere, {{0, 0, -5}, {0, 0, -1}}, -6, -4);
+}
+
+TEST_CASE("from the centre the roots are a radius away on both sides", "[02.2]") {
+    check_roots({{1, 2, 3}, 4}, {{1, 2, 3}, {0, 1, 0}}, -4, 4);
+}
+
+TEST_CASE("a line 3 from the centre of a sphere of radius 5 cuts half a chord of 4", "[02.2]") {
+    check_roots({{0, 3, -10}, 5}, {{0, 0, 0}, {0, 0, -1}}, 6, 14);
+    check_roots({{0, 3, -10}, 5}, {{0, 0, -12}, {0, 0, -1}}, -6, 2);
+}
+
+TEST_CASE("a tangent line meets the sphere once", "[02.2]") {
+    check_roots(unit_sphere, {{1, 0, 5}, {0, 0, -1}}, 5, 5);
+}
+
+TEST_CASE("a line that passes the sphere has no roots", "[02.2]") {
+    CHECK(intersections(unit_sphere, {{1.5, 0, 5}, {0, 0, -1}}).count == 0);
+    CHECK(intersections(unit_sphere, {{std::nextafter(1.0, 2.0), 0, 5}, {0, 0, -1}}).count == 0);
+}
+
+TEST_CASE("a far sphere is not flattened: radius 1 at distance 10^8", "[02.2]") {
+    // The line passes the centre at 0.6, so half the chord is 0.8. h*h - a*c is 10^16 - 10^16 here.
+    const Real far = 1e8, ulp = far * 2 * unit_roundoff;
+    const Roots roots = intersections({{0.6, 0, -far}, 1}, {{0, 0, 0}, {0, 0, -1}});
+    CAPTURE(roots.count, roots.t0 - far, roots.t1 - far, ulp);
+    CHECK(roots.count == 2);
+    CHECK(std::abs(roots.t0 - (far - 0.8)) <= ulp);
+    CHECK(std::abs(roots.t1 - (far + 0.8)) <= ulp);
+    CHECK(intersections({{1.001, 0, -far}, 1}, {{0, 0, 0}, {0, 0, -1}}).count == 0);
+}
+
+TEST_CASE("both roots are points of the sphere and ascend", "[02.2]") {
+    Random random(2201);
+    for (int i = 0; i < cases(20000); ++i) {
+        const Case c = aimed(random, random.uniform(0, 1), 100);
+        const Roots roots = intersections(c.sphere, c.ray);
+        INFO(describe(c) << "\nroots " << roots.count << ": " << roots.t0 << ", " << roots.t1);
+        REQUIRE(roots.count > 0);
+        CHECK(roots.t0 <= roots.t1);
+        const Vec3 f = c.ray.origin - c.sphere.center;
+        // A root is only as good as its last bit: that moves the point along the ray by u·|t|·|d|.
+        const Real last_bits = gamma(4) * length(c.ray.direction);
+        CHECK(std::abs(length(f + roots.t0 * c.ray.direction) - c.sphere.radius) <=
+              slack(c) + last_bits * std::abs(roots.t0));
+        CHECK(std::abs(length(f + roots.t1 * c.ray.direction) - c.sphere.radius) <=
+              slack(c) + last_bits * std::abs(roots.t1));
+    }
+}
+
+TEST_CASE("lines that pass clearly inside hit and lines clearly outside miss", "[02.2]") {
+    Random random(2202);
+    for (int i = 0; i < cases(20000); ++i) {
+        const Real gap = random.magnitude(-6, 0);
+        const bool inside = i % 2 == 0;
+        // Up to some thousands of radii away; there the position of the line is good to 10^-9 radii.
+        const Case c = aimed(random, inside ? 1 - gap : 1 + gap, 3);
+        if (slack(c) > gap * c.sphere.radius) continue;
+        INFO(describe(c) << "\npasses " << gap << " radii " << (inside ? "inside" : "outside"));
+        CHECK((intersections(c.sphere, c.ray).count > 0) == inside);
+    }
+}
+
+TEST_CASE("a scene in other units gives the same picture: t does not change", "[02.2]") {
+    Random random(2203);
+    for (int i = 0; i < cases(5000); ++i) {
+        const Case c = aimed(random, random.uniform(0, 1.5), 3);
+        const Real s = std::ldexp(1, static_cast<int>(random.index(81)) - 40);
+        const Roots one = intersections(c.sphere, c.ray);
+        const Roots scaled = intersections({s * c.sphere.center, s * c.sphere.radius},
+                                           {s * c.ray.origin, s * c.ray.direction});
+        const Roots stretched = intersections(c.sphere, {c.ray.origin, s * c.ray.direction});
+        INFO(describe(c) << "\nunit " << s);
+        CHECK(scaled.count == one.count);
+        CHECK(scaled.t0 == one.t0);
+        CHECK(scaled.t1 == one.t1);
+        CHECK(stretched.count == one.count);
+        CHECK(stretched.t0 == one.t0 / s);
+        CHECK(stretched.t1 == one.t1 / s);
+    }
+}
+
+// --------------------------------------------------------------------------------------- 02.3 intersect
+
+TEST_CASE("of two roots ahead the nearer is hit", "[02.3]") {
+    check_hit(unit_sphere, {{0, 0, 5}, {0, 0, -1}}, ahead, 4);
+}
+
+TEST_CASE("a tangent ray hits", "[02.3]") { check_hit(unit_sphere, {{1, 0, 5}, {0, 0, -1}}, ahead, 5); }
+
+TEST_CASE("from inside the far side is hit", "[02.3]") {
+    check_hit(unit_sphere, {{0, 0, 0}, {0, 0, -1}}, ahead, 1);
+    check_hit(unit_sphere, {{0, 0, 0.5}, {0, 0, -1}}, ahead, 1.5);
+}
+
+TEST_CASE("a sphere that the line passes is missed", "[02.3]") {
+    check_miss(unit_sphere, {{1.5, 0, 5}, {0, 0, -1}}, ahead);
+}
+
+TEST_CASE("a sphere behind the ray is missed", "[02.3]") {
+    check_miss(unit_sphere, {{0, 0, -5}, {0, 0, -1}}, ahead);
+    check_miss(unit_sphere, {{1, 0, -5}, {0, 0, -1}}, ahead);
+}
+
+TEST_CASE("a ray that leaves the surface does not hit where it starts", "[02.3]") {
+    check_miss(unit_sphere, {{0, 0, 1}, {0, 0, 1}}, ahead);
+    check_hit(unit_sphere, {{0, 0, 1}, {0, 0, -1}}, ahead, 2);
+}
+
+TEST_CASE("the range decides: its start is excluded and its end included", "[02.3]") {
+    const Ray ray{{0, 0, 5}, {0, 0, -1}};  // roots 4 and 6
+    check_hit(unit_sphere, ray, {0, 4}, 4);
+    check_miss(unit_sphere, ray, {0, std::nextafter(4.0, 0.0)});
+    check_hit(unit_sphere, ray, {4, infinity}, 6);
+    check_hit(unit_sphere, ray, {4, 6}, 6);
+    check_miss(unit_sphere, ray, {4, std::nextafter(6.0, 0.0)});
+    check_miss(unit_sphere, ray, {6, infinity});
+    check_hit(unit_sphere, {{0, 0, -5}, {0, 0, -1}}, {-5, 0}, -4);
+}
+
+TEST_CASE("the hit is the first root in the range", "[02.3]") {
+    Random random(2301);
+    int hits = 0, misses = 0;
+    for (int i = 0; i < cases(20000); ++i) {
+        const Case c = aimed(random, random.uniform(0, 1.2), 3);
+        const Real a = random.uniform(-4, 4), b = random.uniform(-4, 4);
+        const Interval range{std::min(a, b), std::max(a, b)};
+        const Roots roots = intersections(c.sphere, c.ray);
+        const std::optional<Hit> hit = intersect(c.sphere, c.ray, range);
+        INFO(describe(c) << "\nrange (" << range.min << ", " << range.max << "], roots " << roots.count
+                         << ": " << roots.t0 << ", " << roots.t1);
+        const bool first = roots.count > 0 && contains(range, roots.t0);
+        const bool second = roots.count > 0 && contains(range, roots.t1);
+        REQUIRE(hit.has_value() == (first || second));
+        if (hit) CHECK(hit->t == (first ? roots.t0 : roots.t1));
+        ++(hit ? hits : misses);
+    }
+    CHECK(hits > 0);
+    CHECK(misses > 0);
+}

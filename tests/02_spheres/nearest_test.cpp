@@ -1,0 +1,110 @@
+// Step 02.5: the nearest of many spheres, and whether there is any.
+#include "chapters/02_spheres/sphere.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <cmath>
+#include <vector>
+
+using namespace rt;
+using test::cases;
+using test::Random;
+
+namespace {
+
+const Ray down_z{{0, 0, 10}, {0, 0, -1}};
+const Interval ahead{0, infinity};
+
+void check_nearest(const std::vector<Sphere>& spheres, const Ray& ray, Interval range,
+                   std::uint32_t primitive, Real t) {
+    const std::optional<Hit> hit = closest_hit(spheres, ray, range);
+    INFO("expected sphere " << primitive << " at t = " << t);
+    REQUIRE(hit.has_value());
+    CHECK(hit->primitive == primitive);
+    CHECK(hit->t == t);
+    CHECK(any_hit(spheres, ray, range));
+}
+
+void check_none(const std::vector<Sphere>& spheres, const Ray& ray, Interval range) {
+    CHECK_FALSE(closest_hit(spheres, ray, range).has_value());
+    CHECK_FALSE(any_hit(spheres, ray, range));
+}
+
+}  // namespace
+
+TEST_CASE("where there are no spheres nothing is hit", "[02.5]") { check_none({}, down_z, ahead); }
+
+TEST_CASE("the nearest sphere is found wherever it stands in the list", "[02.5]") {
+    const Sphere near{{0, 0, 5}, 1}, middle{{0, 0, 0}, 2}, far{{0, 0, -5}, 1};
+    check_nearest({near, middle, far}, down_z, ahead, 0, 4);
+    check_nearest({middle, near, far}, down_z, ahead, 1, 4);
+    check_nearest({far, middle, near}, down_z, ahead, 2, 4);
+}
+
+TEST_CASE("the nearest surface counts and not the nearest centre", "[02.5]") {
+    check_nearest({{{0, 0, 0}, 1}, {{0, 0, -8}, 12}}, down_z, ahead, 1, 6);
+}
+
+TEST_CASE("a small sphere inside a large one is seen from inside", "[02.5]") {
+    check_nearest({{{0, 0, 0}, 100}, {{0, 0, 5}, 1}}, down_z, ahead, 1, 4);
+}
+
+TEST_CASE("spheres missed or behind do not count", "[02.5]") {
+    const std::vector<Sphere> spheres{{{9, 0, 0}, 1}, {{0, 0, 20}, 3}, {{0, 0, 0}, 1}};
+    check_nearest(spheres, down_z, ahead, 2, 9);
+    check_none(std::vector<Sphere>(spheres.begin(), spheres.end() - 1), down_z, ahead);
+}
+
+TEST_CASE("of equal distances the lowest index wins", "[02.5]") {
+    const Sphere small{{0, 0, 1}, 1}, large{{0, 0, -3}, 5}, far{{0, 0, -9}, 1};
+    check_nearest({small, large}, down_z, ahead, 0, 8);
+    check_nearest({large, small}, down_z, ahead, 0, 8);
+    check_nearest({far, large, small, large}, down_z, ahead, 1, 8);
+}
+
+TEST_CASE("the range decides for each sphere: start excluded and end included", "[02.5]") {
+    const std::vector<Sphere> spheres{{{0, 0, 0}, 1}, {{0, 0, 5}, 1}};  // roots 9, 11 and 4, 6
+    check_nearest(spheres, down_z, {0, 4}, 1, 4);
+    check_none(spheres, down_z, {0, 3.5});
+    check_nearest(spheres, down_z, {4, infinity}, 1, 6);
+    check_nearest(spheres, down_z, {6, infinity}, 0, 9);
+    check_none(spheres, down_z, {6, 8.5});
+    check_none(spheres, down_z, {11, infinity});
+}
+
+TEST_CASE("the nearest hit is what intersect says of each sphere, to the bit", "[02.5]") {
+    Random random(2501);
+    int hits = 0, misses = 0;
+    for (int i = 0; i < cases(2000); ++i) {
+        std::vector<Sphere> spheres;
+        for (std::size_t k = random.index(20); k > 0; --k) {
+            spheres.push_back({10.0 * random.in_cube(), random.uniform(0.1, 4)});
+            if (random.index(4) == 0) spheres.push_back(spheres[random.index(spheres.size())]);
+        }
+        const Ray ray{10.0 * random.in_cube(), random.magnitude(-2, 2) * random.direction()};
+        const Real start = random.uniform(-5, 5);
+        const Interval range{start, start + random.magnitude(-1, 2)};
+
+        std::optional<Hit> expected;
+        for (std::size_t k = 0; k < spheres.size(); ++k) {
+            const std::optional<Hit> hit = intersect(spheres[k], ray, range);
+            if (!hit || (expected && hit->t >= expected->t)) continue;
+            expected = hit;
+            expected->primitive = static_cast<std::uint32_t>(k);
+        }
+        const std::optional<Hit> actual = closest_hit(spheres, ray, range);
+        CAPTURE(i, spheres.size(), range.min, range.max);
+        REQUIRE(actual.has_value() == expected.has_value());
+        CHECK(any_hit(spheres, ray, range) == expected.has_value());
+        ++(expected ? hits : misses);
+        if (!expected) continue;
+        CAPTURE(expected->t, actual->t);
+        CHECK(actual->t == expected->t);
+        CHECK(actual->primitive == expected->primitive);
+        // What blocks the way to a hit is nearer than the hit.
+        CHECK(any_hit(spheres, ray, {range.min, expected->t}));
+        CHECK_FALSE(any_hit(spheres, ray, {range.min, std::nextafter(expected->t, -infinity)}));
+    }
+    CHECK(hits > 0);
+    CHECK(misses > 0);
+}

@@ -1,0 +1,231 @@
+// The program from outside: exit status, one line for what is wrong, JSON and nothing else.
+#include "common/app/process.hpp"
+#include "common/app/project.hpp"
+#include "common/image/file.hpp"
+#include "tests/app/sandbox.hpp"
+#include "tests/catch.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+using namespace rt;
+using nlohmann::json;
+
+namespace {
+
+struct Outcome {
+    int status = 0;
+    std::string out;     ///< standard output
+    std::string errors;  ///< standard error
+};
+
+/// Runs the program in the scratch directory of this file's tests.
+Outcome course(const std::string& arguments) {
+    const std::filesystem::path directory = std::filesystem::path(test::scratch_directory()) / "program";
+    std::filesystem::create_directories(directory);
+    const std::string program = (this_project().build / "bin" / "course").string();
+    const std::string command =
+        "cd '" + directory.string() + "' && '" + program + "' " + arguments + " 2>errors";
+    ProcessOptions options;
+    options.merge_errors = false;
+    const ProcessResult result = run_process({"sh", "-c", command}, options);
+    return {result.signal == 0 ? result.exit_code : -result.signal, result.output,
+            read_file(directory / "errors")};
+}
+
+std::filesystem::path in_scratch(const std::string& name) {
+    return std::filesystem::path(test::scratch_directory()) / "program" / name;
+}
+
+/// Status 2, nothing on standard output, and this one line on standard error.
+void check_refused(const std::string& arguments, const std::string& line) {
+    INFO("arguments := " << arguments);
+    const Outcome outcome = course(arguments);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.errors == line + "\n");
+}
+
+std::vector<std::string> keys(const json& object) {
+    std::vector<std::string> names;
+    for (const auto& [key, value] : object.items()) names.push_back(key);
+    return names;
+}
+
+using Keys = std::vector<std::string>;
+
+void write_scene(const std::string& name, const std::string& more = "") {
+    test::write(in_scratch(name), "size 8 4\ncamera 0 0 4 0 0 0 0 1 0 45\n" + more);
+}
+
+}  // namespace
+
+TEST_CASE("unknown commands and options get a suggestion") {
+    check_refused("rendr",
+                  "there is no command 'rendr'; did you mean 'render'? (./course --help shows what "
+                  "there is)");
+    check_refused("qqqqqqqq", "there is no command 'qqqqqqqq' (./course --help shows what there is)");
+    check_refused(
+        "render x.scene --solution",
+        "there is no option '--solution'; did you mean '--solutions'? (./course render --help shows what "
+        "there is)");
+    check_refused("--jsn",
+                  "there is no option '--jsn'; did you mean '--json'? (./course --help shows what there "
+                  "is)");
+}
+
+TEST_CASE("commands that come with later chapters are not offered") {
+    for (const char* later : {"report", "grade", "handout"}) {
+        INFO("command := " << later);
+        CHECK(course(later).status == 2);
+        CHECK(course("--help").out.find(std::string("\n  ") + later) == std::string::npos);
+    }
+    CHECK(course("check --watch").status == 2);
+}
+
+TEST_CASE("a command line that lacks something is refused in one line") {
+    for (const char* wrong : {"render", "hint", "compare one.png", "render x.scene --threads zero",
+                              "render x.scene --mine --solutions", "compare a b --within 300"}) {
+        INFO("arguments := " << wrong);
+        const Outcome outcome = course(wrong);
+        CHECK(outcome.status == 2);
+        CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
+        CHECK(outcome.errors.find("--help shows how") != std::string::npos);
+    }
+}
+
+TEST_CASE("every command has help with an example") {
+    const Outcome all = course("--help");
+    CHECK(all.status == 0);
+    for (const char* command : {"tour", "test", "list", "check", "hint", "reset", "solution", "render",
+                                "compare", "explain", "export", "references", "exercises", "figures"}) {
+        INFO("command := " << command);
+        CHECK(all.out.find(std::string("\n  ") + command) != std::string::npos);
+        const Outcome help = course(std::string(command) + " --help");
+        CHECK(help.status == 0);
+        CHECK(help.out.find(std::string("Example:\n  ./course ") + command) != std::string::npos);
+        CHECK(help.out.find("--json") != std::string::npos);
+    }
+}
+
+TEST_CASE("wrong input is status 2 and leaves no picture") {
+    write_scene("wrong.scene", "sphere 0 0 0 -1\n");
+    const Outcome outcome = course("render wrong.scene --solutions -o wrong.png");
+    CHECK(outcome.status == 2);
+    CHECK(outcome.errors.find("wrong.scene:3:") == 0);
+    CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
+    CHECK_FALSE(std::filesystem::exists(in_scratch("wrong.png")));
+    CHECK(course("render no-such-file.scene").status == 2);
+    write_scene("right.scene");
+    check_refused("render right.scene -o x.jpg", "x.jpg: pictures end in .png, .pfm or .hdr, not in '.jpg'");
+    check_refused("render right.scene --size 10",
+                  "--size: '10' is not a size; expected width and height from 1 to 65536, such as 640x480");
+    check_refused("render right.scene --integrator normal",
+                  "--integrator: there is no 'normal'; did you mean 'normals'?");
+    check_refused("hint 99.1", course("hint 99").errors.substr(0, course("hint 99").errors.size() - 1));
+}
+
+TEST_CASE("render writes what the scene says, and JSON in the documented form") {
+    write_scene("ball.scene", "integrator flat\nambient 1 0 0\nsphere 0 0 0 1\n");
+    const Outcome outcome = course("render ball.scene --solutions --json -o ball.pfm --size 16x8");
+    INFO(outcome.errors);
+    REQUIRE(outcome.status == 0);
+    const json object = json::parse(outcome.out);
+    CHECK(keys(object) == Keys{"cpu_seconds", "height", "left_out", "output", "rays", "rms_error",
+                               "samples_per_pixel", "seconds", "width"});
+    CHECK(object["output"] == "ball.pfm");
+    CHECK(object["width"] == 16);
+    CHECK(object["rms_error"].is_null());
+    CHECK(object["rays"]["camera"] == 16 * 8);
+    CHECK(object["left_out"].is_array());
+    const Image image = read_image(in_scratch("ball.pfm"));
+    CHECK(pixel(image, 8, 4) == Vec3(1, 0, 0));
+    CHECK(pixel(image, 0, 0) == Vec3(0));
+
+    std::filesystem::remove(in_scratch("ball.png"));
+    CHECK(course("render ball.scene --solutions --quiet").errors.empty());
+    CHECK(std::filesystem::exists(in_scratch("ball.png")));
+}
+
+TEST_CASE("the same picture comes out with any number of threads") {
+    write_scene("threads.scene", "integrator normals\nsphere 0 0 0 1\n");
+    CHECK(course("render threads.scene --solutions --threads 1 -o one.pfm --size 100x70").status == 0);
+    CHECK(course("render threads.scene --solutions --threads 3 -o three.pfm --size 100x70").status == 0);
+    CHECK(read_file(in_scratch("one.pfm")) == read_file(in_scratch("three.pfm")));
+}
+
+TEST_CASE("compare has a status, JSON in the documented form, and a page") {
+    Image image = make_image(4, 3);
+    write_image(in_scratch("black.pfm"), image);
+    pixel(image, 2, 1) = Vec3(1, 0, 0);
+    write_image(in_scratch("dot.pfm"), image);
+    write_image(in_scratch("small.pfm"), make_image(2, 2));
+
+    CHECK(course("compare black.pfm black.pfm").status == 0);
+    const Outcome outcome = course("compare dot.pfm black.pfm --json --page page.html --diff diff.png");
+    CHECK(outcome.status == 1);
+    const json object = json::parse(outcome.out);
+    CHECK(keys(object) ==
+          Keys{"height", "max", "mean", "psnr", "rmse", "same", "width", "within", "within16", "worst"});
+    CHECK(object["same"] == false);
+    CHECK(object["max"] == 1);
+    CHECK(object["worst"] == json{{"x", 2}, {"y", 1}});
+    CHECK(object["within"]["1"] == Approx(11.0 / 12));
+    CHECK(keys(object["within"]) == Keys{"1", "10", "2"});
+    CHECK(std::filesystem::file_size(in_scratch("page.html")) > 0);
+    CHECK(read_image(in_scratch("diff.png")).width == 4);
+
+    const Outcome equal = course("compare black.pfm black.pfm --json --within 3");
+    CHECK(json::parse(equal.out)["psnr"].is_null());
+    CHECK(json::parse(equal.out)["within"]["3"] == 1);
+    CHECK(course("compare dot.pfm black.pfm --within 255").status == 0);
+    CHECK(course("compare small.pfm black.pfm").status == 2);
+    CHECK(course("compare none.pfm black.pfm").status == 2);
+}
+
+TEST_CASE("explain says what was kept, what was left out, and which chapters draw it") {
+    write_scene("explained.scene", "integrator normals\nsphere 0 0 0 1\n");
+    const Outcome outcome = course("explain explained.scene --json");
+    REQUIRE(outcome.status == 0);
+    const json object = json::parse(outcome.out);
+    CHECK(keys(object) == Keys{"bytes", "chapters", "kept", "left_out", "scene"});
+    CHECK(object["chapters"] == json{"01", "02"});
+    CHECK_FALSE(object["left_out"].empty());
+    CHECK(course("explain explained.scene").out.find("Left out") != std::string::npos);
+}
+
+TEST_CASE("list and status tell the chapters as JSON") {
+    const json list = json::parse(course("list --json").out);
+    REQUIRE(list["chapters"].size() >= 3);
+    const json& step = list["chapters"][1]["steps"][0];
+    CHECK(list["chapters"][1]["id"] == "02_spheres");
+    CHECK(keys(step) == Keys{"id", "message", "points", "state", "title"});
+    CHECK(keys(json::parse(course("--json").out)) == Keys{"chapters", "next"});
+    CHECK(course("list").out.find("02.1") != std::string::npos);
+    CHECK(course("").out.find("Next:") != std::string::npos);
+}
+
+TEST_CASE("nothing is coloured where no person looks") {
+    for (const char* command : {"", "list", "rendr"}) {
+        const Outcome outcome = course(command);
+        CHECK((outcome.out + outcome.errors).find('\033') == std::string::npos);
+    }
+}
+
+TEST_CASE("a solution is not shown before its step has passed") {
+    const Outcome shy = course("solution 02.1");
+    // In a tree where somebody works the step may have passed.
+    if (shy.status != 0) {
+        CHECK(shy.status == 1);
+        CHECK(shy.out.empty());
+        CHECK(shy.errors.find("--spoil") != std::string::npos);
+    }
+    const Outcome spoilt = course("solution 02.1 --spoil --json");
+    CHECK(spoilt.status == 0);
+    const json object = json::parse(spoilt.out);
+    CHECK(object["step"] == "02.1");
+    REQUIRE(object["solution"].size() == 1);
+    CHECK(object["solution"][0]["text"].get<std::string>().find("[exercise") == std::string::npos);
+    CHECK(object["solution"][0]["text"].get<std::string>().find("solve_quadratic(") != std::string::npos);
+}

@@ -1,0 +1,193 @@
+#!/usr/bin/env bash
+# The whole program from outside, in a scratch copy of the repository to which a tiny chapter column is added:
+# that nothing else needs an edit, and what a student's day is like there - crashes and hangs included.
+# Run by `course test`, which sets COURSE_ROOT and COURSE_BUILD.
+set -eu
+: "${COURSE_ROOT:?}" "${COURSE_BUILD:?}"
+copy=$COURSE_BUILD/scratch/column
+failures=0
+
+fail() {
+    printf 'FAILED: %s\n' "$1"
+    [ -z "${2:-}" ] || printf '%s\n' "$2" | sed 's/^/    /'
+    failures=$((failures + 1))
+}
+
+# expect NAME STATUS PATTERN COMMAND...: the command ends with STATUS and says PATTERN somewhere.
+expect() {
+    local name=$1 status=$2 pattern=$3 output code=0
+    shift 3
+    output=$("$@" 2>&1) || code=$?
+    [ "$code" = "$status" ] || { fail "$name: status $code, expected $status" "$output"; return; }
+    grep -qE -- "$pattern" <<<"$output" || fail "$name: no '$pattern'" "$output"
+}
+
+# state STEP: as check said last.
+state() { ./course list --json | grep -oE "\"id\":\"$1\"[^}]*\"state\":\"[a-z]+\"" | grep -oE '[a-z]+"$' | tr -d '"'; }
+expect_state() {
+    local found
+    found=$(state "$2")
+    [ "$found" = "$3" ] || fail "$1: step $2 is $found, expected $3"
+}
+
+# ---------------------------------------------------------------------------------------- the copy
+
+rm -rf "$copy"
+mkdir -p "$copy"
+cd "$COURSE_ROOT"
+cp -R CMakeLists.txt course common chapters solutions references tests "$copy"
+cd "$copy"
+# The oracle takes long to compile and the tiny chapter does not ask it anything.
+rm -f tests/oracle/*.cpp tests/stability/*.cpp
+echo 'namespace rt { int nothing_to_judge = 0; }' | tee tests/oracle/none.cpp >tests/stability/none.cpp
+
+name=99_tiny
+mkdir -p chapters/$name solutions/$name tests/$name/mistakes references/$name
+cat >chapters/$name/tiny.hpp <<'END'
+// A tiny chapter.
+#pragma once
+
+namespace rt {
+
+/// [99.1] The number after `n`.
+int next(int n);
+
+/// [99.2] The number after the next.
+int after_next(int n);
+
+}  // namespace rt
+END
+cat >solutions/$name/tiny.cpp <<'END'
+// A tiny chapter.
+#include "chapters/99_tiny/tiny.hpp"
+
+namespace rt {
+
+int next(int n) {
+    // [exercise 99.1] Return the number after `n`.
+    return n + 1;
+    // [/exercise]
+}
+
+int after_next(int n) {
+    // [exercise 99.2] Return the number after the next.
+    return n + 2;
+    // [/exercise]
+}
+
+}  // namespace rt
+END
+cat >tests/$name/tiny_test.cpp <<'END'
+// A tiny chapter is right.
+#include "chapters/99_tiny/tiny.hpp"
+#include "tests/catch.hpp"
+
+TEST_CASE("after one comes two", "[99.1]") {
+    INFO("n := " << 1);
+    CHECK(rt::next(1) == 2);
+}
+TEST_CASE("after the next comes the next's next", "[99.2]") { CHECK(rt::after_next(1) == 3); }
+END
+cat >chapters/$name/chapter.json <<'END'
+{"title": "Tiny", "summary": "The least chapter.",
+ "steps": [
+  {"id": "99.1", "title": "Next", "file": "tiny.cpp", "points": 1, "hints": ["first", "second", "third"]},
+  {"id": "99.2", "title": "After next", "file": "tiny.cpp", "points": 2, "hints": ["a", "b", "c"]}],
+ "scenes": ["one.scene"]}
+END
+cat >references/$name/one.scene <<'END'
+version 1
+size 16 12
+camera 0 0 4 0 0 0 0 1 0 45
+integrator normals
+sphere 0 0 0 1
+END
+exercise=chapters/$name/tiny.cpp
+
+# Its neighbour, the same under another number.
+for room in chapters solutions tests references; do
+    cp -R $room/$name $room/98_tiny
+    find $room/98_tiny -type f -exec sed -i 's/99/98/g; s/next/follow/g' {} +
+done
+
+# -------------------------------------------------------------------------------- a chapter is added
+
+export CMAKE_BUILD_TYPE=Debug NO_COLOR=1
+expect "exercises are generated" 0 "wrote $exercise" ./course exercises --make
+expect "and then as generated" 0 "nothing has changed" ./course exercises
+expect "the chapter is listed" 0 "99.2  After next" ./course list
+expect "its solution passes" 0 "2 of 2 steps" ./course check 99 --solutions
+expect "nothing is started" 1 "write step 99.1 in $exercise" ./course check 99
+expect_state "nothing is started" 99.1 todo
+[ "$(cd / && "$copy/course" list)" = "$(./course list)" ] || fail "it works from any directory"
+cp $exercise "$COURSE_BUILD/scratch/tiny.start"
+
+# ------------------------------------------------------------------------------------ a student's day
+
+set_step() { sed -i "s|return todo(\"$1\");|$2|" $exercise; }
+start_again() { cp "$COURSE_BUILD/scratch/tiny.start" $exercise; }
+
+set_step 99.1 'return n + 1;'
+expect "half a chapter" 1 "1 of 2 steps" ./course check 99
+expect_state "half a chapter" 99.1 passed
+expect_state "half a chapter" 99.2 todo
+expect "a step alone" 0 "1 of 1 step" ./course check 99.1
+
+set_step 99.2 'return next(n) * 2;'
+expect "a wrong step" 1 "tests/$name/tiny_test.cpp:9: CHECK" ./course check 99
+expect "the values are shown" 1 "that is: 4 == 3" ./course check 99
+expect_state "a wrong step" 99.2 failed
+
+start_again; set_step 99.1 'int* p = nullptr; return *(volatile int*)p;'; set_step 99.2 'return n + 2;'
+expect "a crash is named" 1 'crashed \(segmentation fault\) in the test "after one comes two"' ./course check 99
+expect_state "a crash costs its step" 99.1 failed
+expect_state "a crash costs its step" 99.2 passed
+
+start_again; set_step 99.1 'volatile bool on = true; while (on) {} return n;'; set_step 99.2 'return n + 2;'
+expect "a hang is named" 1 'did not finish in 10 s in the test "after one comes two"' ./course check 99
+expect_state "a hang costs its step" 99.2 passed
+
+start_again; set_step 99.1 'return nextt(n);'
+expect "a compile error is shown" 1 "$exercise:[0-9]+:[0-9]+: error: .*nextt" ./course check 99
+expect "and said at every step" 1 '"state":"failed","message":"'"$exercise" ./course check 99 --json
+expect "other chapters are checked all the same" 1 '○ 98.1' ./course check 98 99
+expect "the next thing to do" 0 "Next:" ./course
+
+# ------------------------------------------------------------------------------- hints and fresh starts
+
+expect "the first hint" 0 "Hint 1 of 3: first" ./course hint 99.1
+expect "the second" 0 "Hint 2 of 3: second" ./course hint 99.1
+expect "another step begins at its first" 0 "Hint 1 of 3: a" ./course hint 99.2
+expect "the third" 0 "Hint 3 of 3: third" ./course hint 99.1
+expect "no more" 0 "No hints are left" ./course hint 99.1
+expect "all again" 0 "Hint 1 of 3: first" ./course hint 99.1 --all
+
+start_again; set_step 99.1 'return n + 1; // mine'; set_step 99.2 'return n + 2; // mine'
+expect "a step is reset" 0 "tiny.cpp.001.backup" ./course reset 99.1
+grep -q 'return todo("99.1");' $exercise || fail "the step is back"
+grep -q 'return n + 2; // mine' $exercise || fail "the other step is kept"
+grep -q 'return n + 1; // mine' $exercise.001.backup || fail "the backup has what was there"
+expect "the chapter is reset" 0 "tiny.cpp.002.backup" ./course reset 99
+cmp -s $exercise "$COURSE_BUILD/scratch/tiny.start" || fail "the chapter is as it was at the start"
+expect "nothing is left to reset" 0 "Nothing to reset" ./course reset 99
+printf 'int other() { return 1; }\n' >$exercise
+expect "a step that is gone cannot be reset alone" 2 "no function 'int next\(int n\)' any more" ./course reset 99.1
+start_again
+
+# ----------------------------------------------------------------------------------- passing the chapter
+
+expect "no spoiling" 1 "./course solution 99.1 --spoil" ./course solution 99.1
+set_step 99.1 'return 1 + n;'; set_step 99.2 'return n + 2;'
+expect "all passes, and there is a picture" 0 "Your picture: build/pictures/$name/one.png" ./course check 99
+[ -s build/pictures/$name/one.png ] || fail "the picture is there"
+expect "both are shown after passing" 0 "return 1 \+ n;" ./course solution 99.1
+expect "a render says whose code it used" 0 "your code for 99, solutions for the rest" \
+    ./course render references/$name/one.scene -o mine.png
+expect "or is told to use the solutions" 0 "solutions for all chapters" \
+    ./course render references/$name/one.scene -o theirs.png --solutions
+cmp -s mine.png theirs.png || fail "both pictures are the same"
+expect "what is not started is named" 1 "needs step 01.[0-9] \(chapter 01, " \
+    ./course render references/$name/one.scene -o mine.png --mine
+
+[ "$failures" = 0 ] && echo "everything is as it should be"
+exit $((failures > 0))

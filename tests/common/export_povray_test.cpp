@@ -1,0 +1,288 @@
+// The export for POV-Ray: statements that mean the same there, and plain words where there are none.
+#include "common/render/export_povray.hpp"
+#include "common/math/input_error.hpp"
+#include "common/scene/parse.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+
+using namespace rt;
+
+namespace {
+
+constexpr auto head = "version 1\nsize 40 30\ncamera 0 0 5  0 0 0  0 1 0  90\n";
+
+std::string exported(const std::string& commands) {
+    return export_povray(parse_scene_text(head + commands, "small.scene"));
+}
+
+std::string refusal(const std::string& commands) {
+    try {
+        exported(commands);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// The numbers after a word, up to the end of its line.
+std::vector<Real> numbers_after(const std::string& text, const std::string& word) {
+    const std::size_t from = text.find(word) + word.size();
+    const std::string line = text.substr(from, text.find('\n', from) - from);
+    const std::regex number("[-+]?[0-9]*\\.?[0-9]+(e[-+]?[0-9]+)?");
+    std::vector<Real> numbers;
+    for (std::sregex_iterator i(line.begin(), line.end(), number), end; i != end; ++i)
+        numbers.push_back(std::stod(i->str()));
+    return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("a flat scene becomes a whole POV-Ray scene", "[export]") {
+    const std::string text = exported(
+        "integrator flat\nbackground .1 .2 .3\nambient .5 .25 0\nemission 0 .25 0\nsphere 1 2 -3 .5\n");
+    INFO(text);
+    CHECK(contains(text, "// small.scene, written by `course export`."));
+    CHECK(contains(text, "#version 3.7;"));
+    CHECK(contains(text, "assumed_gamma 1 max_trace_level 1 adc_bailout 0"));
+    CHECK(contains(text, "background { rgb <0.1, 0.2, 0.3> }"));
+    CHECK(contains(text, "pigment { rgb <0.5, 0.5, 0> } finish { ambient 0 diffuse 0 emission 1 }"));
+    CHECK(contains(text, "sphere { <1, 2, -3>, 0.5 texture {"));
+    CHECK_FALSE(contains(text, "light_source"));
+}
+
+TEST_CASE("the camera spans the picture by its basis", "[export]") {
+    SECTION("in perspective by tan(fovy/2): twice 1 for 90 degrees") {
+        const std::string text = exported("integrator flat\n");
+        INFO(text);
+        CHECK(contains(text, "perspective"));
+        CHECK(contains(text, "location <0, 0, 5>"));
+        CHECK(contains(text, "direction <0, 0, -1>"));
+        const std::vector<Real> right = numbers_after(text, "right"), up = numbers_after(text, "up");
+        REQUIRE(right.size() == 3);
+        REQUIRE(up.size() == 3);
+        CHECK(right[0] == Approx(2 * 4 / 3.));
+        CHECK(up[1] == Approx(2));
+    }
+    SECTION("in an orthographic view by its height") {
+        const std::string text = exported("integrator flat\northographic 3\n");
+        INFO(text);
+        CHECK(contains(text, "orthographic"));
+        CHECK(contains(text, "up <0, 3, 0>"));
+        CHECK(contains(text, "right <4, 0, 0>"));
+    }
+}
+
+TEST_CASE("exported numbers read back as the same double", "[export]") {
+    test::Random random(7);
+    for (int i = 0; i < test::cases(200); ++i) {
+        const Real radius = random.magnitude(-6, 6), x = random.magnitude(-12, 12);
+        const std::vector<Real> read = numbers_after(
+            exported(fmt::format("integrator normals\nsphere {:.17g} 0 0 {:.17g}\n", x, radius)), "sphere {");
+        CAPTURE(x, radius);
+        REQUIRE(read.size() == 4);
+        CHECK(read[0] == x);
+        CHECK(read[3] == radius);
+    }
+}
+
+TEST_CASE("the picture of normals is painted by six lights", "[export]") {
+    const std::string text = exported("integrator normals\nplane 0 -1 0  0 2 0\n");
+    INFO(text);
+    CHECK(contains(text, "light_source { <100000, 0, 0> rgb <0.5, 0, 0> parallel point_at 0 shadowless }"));
+    CHECK(contains(text, "light_source { <0, 0, -100000> rgb <0, 0, -0.5> parallel point_at 0 shadowless }"));
+    CHECK(contains(text, "pigment { rgb 1 } finish { ambient 0 diffuse 1 emission 0.5 }"));
+    CHECK(contains(text, "plane { <0, 1, 0>, -1 texture { Normal } }"));
+    CHECK(exported("integrator rasterize\n") == exported("integrator normals\n"));
+}
+
+TEST_CASE("the picture of directions is the inside of a sphere around the eye", "[export]") {
+    const std::string text = exported("integrator directions\nsphere 0 0 0 1\n");
+    INFO(text);
+    CHECK(contains(text, "light_source { <100000, 0, 0> rgb <-0.5, 0, 0> parallel point_at 0 shadowless }"));
+    CHECK(contains(text, "sphere { <0, 0, 5>, 1 texture {"));
+    CHECK_FALSE(contains(text, "sphere { <0, 0, 0>"));
+    CHECK(contains(exported("integrator directions\northographic 1\n"), "background { rgb <0.5, 0.5, 0> }"));
+}
+
+TEST_CASE("shapes are written as POV-Ray's own", "[export]") {
+    const std::string vertices = "integrator flat\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex -1 0 0\n";
+    CHECK(contains(exported(vertices + "tri 0 1 2\n"), "triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> texture"));
+    CHECK(contains(exported(vertices + "polygon 1 2 3\n"),
+                   "polygon { 4, <1, 0, 0>, <0, 1, 0>, <-1, 0, 0>, <1, 0, 0> texture"));
+    CHECK(contains(
+        exported("integrator flat\nvertexnormal 0 0 0 0 0 1\nvertexnormal 1 0 0 0 0 2\n"
+                 "vertexnormal 0 1 0 0 1 1\ntrinormal 0 1 2\n"),
+        "smooth_triangle { <0, 0, 0>, <0, 0, 1>, <1, 0, 0>, <0, 0, 2>, <0, 1, 0>, <0, 1, 1> texture"));
+}
+
+TEST_CASE("a transform is written column by column, before the texture", "[export]") {
+    const std::string text = exported("integrator flat\ntranslate 1 2 3\nscale 2 4 8\nsphere 0 0 0 1\n");
+    INFO(text);
+    CHECK(contains(text, "sphere { <0, 0, 0>, 1 matrix <2, 0, 0, 0, 4, 0, 0, 0, 8, 1, 2, 3> texture {"));
+}
+
+TEST_CASE("a rotation of 90 degrees about z takes x to y", "[export]") {
+    const std::vector<Real> m =
+        numbers_after(exported("integrator flat\nrotate 0 0 2 90\nsphere 0 0 0 1\n"), "1 matrix");
+    REQUIRE(m.size() >= 12);
+    CHECK(m[0] == Approx(0).margin(1e-15));  // the sine and cosine of π/2 as doubles are 1 and 6e-17
+    CHECK(m[1] == Approx(1));
+    CHECK(m[3] == Approx(-1));
+    CHECK(m[8] == Approx(1));
+}
+
+TEST_CASE("a checker is solid in world space", "[export]") {
+    CHECK(contains(exported("integrator flat\nambient 1 .5 0\nchecker .5 .5 .5 0 1 0 .25\nsphere 0 0 0 1\n"),
+                   "pigment { checker rgb <0.5, 0.25, 0> rgb <0, 0.5, 0> scale 0.25 }"));
+}
+
+TEST_CASE("attenuation is written as POV-Ray fades light", "[export]") {
+    const auto light = [](const std::string& attenuation) {
+        return exported("attenuation " + attenuation + "\npoint 0 5 0 1 .5 0\n");
+    };
+    CHECK(contains(light("4 0 0"), "light_source { <0, 5, 0> rgb <0.25, 0.125, 0> }"));
+    CHECK(contains(light("2 .5 0"), "rgb <0.25, 0.125, 0> fade_distance 4 fade_power 1 }"));
+    CHECK(contains(light("4 0 .25"), "rgb <0.125, 0.0625, 0> fade_distance 4 fade_power 2 }"));
+    // (d + 1)(d + 2): 1/(d + 1) - 1/(d + 2).
+    const std::string both = light("2 3 1");
+    CHECK(contains(both, "rgb <0.5, 0.25, 0> fade_distance 1 fade_power 1 }"));
+    CHECK(contains(both, "rgb <-0.25, -0.125, 0> fade_distance 2 fade_power 1 }"));
+    CHECK(contains(exported("directional 0 0 7 1 1 1\n"),
+                   "light_source { <0, 0, 100000> rgb 1 parallel point_at 0 }"));
+}
+
+TEST_CASE("the fading that stands for an attenuation has its value at any distance", "[export]") {
+    for (const Vec3 a : {Vec3(1, 0, 0), Vec3(2, .5, 0), Vec3(4, 0, .25), Vec3(2, 3, 1), Vec3(0, 2, 0),
+                         Vec3(0, 0, .5), Vec3(0, .5, .25)}) {
+        const std::string text =
+            exported(fmt::format("attenuation {} {} {}\npoint 0 0 0 1 1 1\n", a.x, a.y, a.z));
+        for (const Real d : {.5, 1., 3., 100.}) {
+            Real sum = 0;
+            std::istringstream lines(text);
+            for (std::string line; std::getline(lines, line);) {
+                if (!contains(line, "light_source")) continue;
+                const Real color = numbers_after(line, "rgb").front();
+                if (!contains(line, "fade_distance")) {
+                    sum += color;
+                    continue;
+                }
+                const std::vector<Real> fade = numbers_after(line, "fade_distance");
+                sum += color * 2 / (1 + std::pow(d / fade[0], fade[1]));
+            }
+            CAPTURE(a.x, a.y, a.z, d, text);
+            // Two of a 16-bit step: what stands for a missing constant term is 1e-6 world units.
+            CHECK(sum * (a.x + a.y * d + a.z * d * d) == Approx(1).epsilon(3e-6));
+        }
+    }
+}
+
+TEST_CASE("a material is layered only where it must be", "[export]") {
+    const std::string light = "directional 0 1 0 1 1 1\n";
+    const auto layers = [](const std::string& text) {
+        std::size_t count = 0;
+        for (std::size_t at = text.find("texture { pigment"); at != std::string::npos;
+             at = text.find("texture { pigment", at + 1))
+            ++count;
+        return count;
+    };
+    const std::string matte = exported(light + "ambient 0 0 0\ndiffuse .5 .4 .3\nsphere 0 0 0 1\n");
+    CHECK(layers(matte) == 1);
+    CHECK(contains(matte, "pigment { rgb <0.5, 0.4, 0.3> } finish { ambient 0 diffuse 1 }"));
+
+    const std::string grey = exported(
+        light + "ambient 0 0 0\ndiffuse .5 .4 .3\nspecular .25 .25 .25\nshininess 20\nsphere 0 0 0 1\n");
+    CHECK(layers(grey) == 1);
+    CHECK(contains(grey, "reflection { rgb 0.25 } specular 0.25 roughness 0.05"));
+
+    const std::string all = exported(
+        light + "ambient .1 .2 .3\ndiffuse .5 .4 .3\nspecular .5 .25 0\nshininess 20\nsphere 0 0 0 1\n");
+    INFO(all);
+    CHECK(layers(all) == 4);
+    CHECK(contains(all, "pigment { rgb 0 } finish { ambient 0 diffuse 0 specular 2 roughness 0.05 }"));
+    CHECK(contains(all, "pigment { rgb <1, 0.5, 0> filter 1 } finish { ambient 0 diffuse 0 }"));
+    CHECK(contains(all,
+                   "pigment { rgb <0.1, 0.2, 0.3> transmit 0.5 } finish { ambient 0 diffuse 0 emission 4 }"));
+    CHECK(contains(all,
+                   "pigment { rgb <0.5, 0.4, 0.3> transmit 0.5 } finish { ambient 0 diffuse 2 reflection"));
+
+    CHECK(contains(exported(light + "highlight phong\nspecular 1 1 1\nshininess 9\nsphere 0 0 0 1\n"),
+                   "phong 1 phong_size 9"));
+}
+
+TEST_CASE("glass has an interior", "[export]") {
+    const std::string glass = "ambient 0 0 0\ntransmission .9 .8 .7\nior 1.5\n";
+    const std::string clear = exported("maxdepth 7\n" + glass + "sphere 0 0 0 1\n");
+    INFO(clear);
+    CHECK(contains(clear, "max_trace_level 8"));
+    CHECK(contains(clear, "pigment { rgb <0.9, 0.8, 0.7> filter 1 } finish { ambient 0 diffuse 0 }"));
+    CHECK(contains(clear, "interior { ior 1.5 } }"));
+    CHECK(contains(exported(glass + "fresnel exact\nsphere 0 0 0 1\n"),
+                   "reflection { rgb 0, rgb 1 fresnel } conserve_energy"));
+    CHECK(contains(exported(glass + "absorption .1 .2 0\nsphere 0 0 0 1\n"),
+                   "interior { ior 1.5 media { absorption rgb <0.1, 0.2, 0> } } hollow }"));
+    CHECK(contains(exported("shadows off\n" + glass + "sphere 0 0 0 1\n"), "no_shadow }"));
+}
+
+TEST_CASE("what POV-Ray cannot express is refused, with its place and the reason", "[export]") {
+    const std::string glass = "ambient 0 0 0\ntransmission 1 1 1\nior 1.5\n";
+    const std::string schlick = refusal(glass + "fresnel schlick\n  sphere 0 0 0 1\n");
+    INFO(schlick);
+    CHECK(schlick.starts_with("small.scene:8:3: POV-Ray cannot express this object: Schlick"));
+
+    const std::string face = refusal(glass + "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\ntri 0 1 2\n");
+    INFO(face);
+    CHECK(face.starts_with(
+        "small.scene:10:1: POV-Ray cannot express this object: a transparent object without"));
+
+    const std::string light = refusal("directional 0 1 0 1 1 1\nattenuation 1 1 1\npoint 0 1 0 1 1 1\n");
+    INFO(light);
+    CHECK(contains(light, "small.scene: POV-Ray cannot express this scene: light 2 has attenuation 1 1 1"));
+
+    const std::string depth = refusal("maxdepth 300\nspecular 1 1 1\nsphere 0 0 0 1\n");
+    INFO(depth);
+    CHECK(contains(depth, "maxdepth 300 is over its limit of 255"));
+    CHECK(refusal("maxdepth 300\nsphere 0 0 0 1\n").empty());
+
+    CHECK(contains(
+        refusal("directional 0 1 0 1 1 1\nspecular 1 0 1\n" + glass + "sphere 0 0 0 1\n"),
+        "small.scene:9:1: POV-Ray cannot express this object: a transparent material whose highlight"));
+}
+
+TEST_CASE("every reference scene is exported, to the same text each time", "[export]") {
+    namespace fs = std::filesystem;
+    int count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(test::repository()) / "references")) {
+        if (entry.path().extension() != ".scene" ||
+            fs::exists(fs::path(entry.path()).replace_extension(".why")))
+            continue;
+        CAPTURE(entry.path().string());
+        // A large mesh may be made by a generator of the chapter instead of being kept.
+        std::ifstream file(entry.path());
+        bool is_complete = true;
+        for (std::string word; file >> word;)
+            if (word == "mesh" && file >> word && !word.starts_with('.') && word.ends_with(".obj"))
+                is_complete = is_complete && fs::exists(entry.path().parent_path() / word);
+        if (!is_complete) continue;
+        ++count;
+        std::string text;
+        REQUIRE_NOTHROW(text = export_povray(parse_scene(entry.path())));
+        CHECK(contains(text, "camera {"));
+        CHECK(text == export_povray(parse_scene(entry.path())));
+        CHECK_FALSE(contains(text, "nan"));
+        CHECK_FALSE(contains(text, "inf"));
+    }
+    CHECK(count >= 9);  // three chapters with three scenes each
+}

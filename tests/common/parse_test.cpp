@@ -1,0 +1,663 @@
+// The scene language: every command, every error with its line and column, and files as people write them.
+#include "common/scene/parse.hpp"
+
+#include "common/math/input_error.hpp"
+#include "common/scene/suggest.hpp"
+#include "common/scene/text.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+using namespace rt;
+
+namespace {
+
+const std::string camera = "camera 0 0 5 0 0 0 0 1 0 45\n";
+
+/// The scene of `text` with a camera behind it.
+Scene parse(const std::string& text, const ParseOptions& options = {}) {
+    return parse_scene_text(text + "\n" + camera, "s", {}, options);
+}
+
+/// The message about `text` with a camera behind it; empty if nothing is wrong.
+std::string error_of(const std::string& text, const ParseOptions& options = {}) {
+    try {
+        parse(text, options);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// The message about exactly `text`.
+std::string error_of_whole(const std::string& text) {
+    try {
+        parse_scene_text(text, "s");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+template <class Shape>
+const Shape& shape(const Scene& scene, std::size_t object = 0) {
+    return std::get<Shape>(scene.objects.at(object).shape);
+}
+
+Material material_of(const std::string& text) {
+    const Scene scene = parse(text + "\nsphere 0 0 0 1");
+    return scene.materials.at(scene.objects.at(0).material);
+}
+
+std::string file_content(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    REQUIRE(stream);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write(const std::string& path, const std::string& content) {
+    std::ofstream(path, std::ios::binary) << content;
+}
+
+/// A right line of each command, with what has to stand before it.
+struct Example {
+    std::string line;
+    std::string before;
+};
+
+const std::map<std::string, Example>& examples() {
+    static const std::string three = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
+    static const std::string three_normals =
+        "vertexnormal 0 0 0 0 0 1\nvertexnormal 1 0 0 0 0 1\nvertexnormal 0 1 0 0 0 1\n";
+    static const std::map<std::string, Example> map = {
+        {"version", {"version 1", ""}},
+        {"size", {"size 320 240", ""}},
+        {"output", {"output a.png", ""}},
+        {"camera", {"camera 1 2 3 4 5 6 0 1 0 30", ""}},
+        {"orthographic", {"orthographic 3", ""}},
+        {"encoding", {"encoding srgb", ""}},
+        {"integrator", {"integrator normals", ""}},
+        {"background", {"background .1 .2 .3", ""}},
+        {"plane", {"plane 0 -1 0 0 1 0", ""}},
+        {"ambient", {"ambient .1 .2 .3", ""}},
+        {"emission", {"emission .1 .2 .3", ""}},
+        {"checker", {"checker 1 1 1 .2 .2 .2 .5", ""}},
+        {"sphere", {"sphere 1 2 3 4", ""}},
+        {"maxverts", {"maxverts 10", ""}},
+        {"maxvertnorms", {"maxvertnorms 10", ""}},
+        {"vertex", {"vertex 1 2 3", ""}},
+        {"tri", {"tri 0 1 2", three}},
+        {"vertexnormal", {"vertexnormal 1 2 3 0 0 1", ""}},
+        {"trinormal", {"trinormal 0 1 2", three_normals}},
+        {"polygon", {"polygon 0 1 2", three}},
+        {"mesh", {"mesh a.obj", ""}},
+        {"translate", {"translate 1 2 3", ""}},
+        {"rotate", {"rotate 0 0 1 90", ""}},
+        {"scale", {"scale 1 2 -3", ""}},
+        {"pushTransform", {"pushTransform", ""}},
+        {"popTransform", {"popTransform", "pushTransform\n"}},
+        {"directional", {"directional 0 1 0 1 1 1", ""}},
+        {"point", {"point 0 4 0 1 1 1", ""}},
+        {"attenuation", {"attenuation 1 .1 .01", ""}},
+        {"diffuse", {"diffuse .1 .2 .3", ""}},
+        {"specular", {"specular .1 .2 .3", ""}},
+        {"shininess", {"shininess 20", ""}},
+        {"highlight", {"highlight phong", ""}},
+        {"shadows", {"shadows off", ""}},
+        {"maxdepth", {"maxdepth 3", ""}},
+        {"mincontribution", {"mincontribution .01", ""}},
+        {"transmission", {"transmission .8 .9 1", ""}},
+        {"ior", {"ior 1.5", ""}},
+        {"fresnel", {"fresnel schlick", ""}},
+        {"absorption", {"absorption .1 .2 .3", ""}},
+    };
+    return map;
+}
+
+}  // namespace
+
+TEST_CASE("an empty scene with a camera has the documented defaults") {
+    const Scene scene = parse("");
+    CHECK(scene.file == "s");
+    CHECK(scene.width == 640);
+    CHECK(scene.height == 480);
+    CHECK(scene.max_depth == 5);
+    CHECK(scene.min_contribution == 0);
+    CHECK(scene.shadows);
+    CHECK(scene.output.empty());
+    CHECK(scene.encoding == Encoding::Linear);
+    CHECK(scene.integrator == Integrator::Raytrace);
+    CHECK(scene.background == Vec3(0));
+    CHECK(scene.camera.projection == Projection::Perspective);
+    CHECK(scene.objects.empty());
+    CHECK(scene.materials.empty());
+    CHECK(scene.lights.empty());
+    CHECK(material_of("") == Material{});
+    CHECK(material_of("").ambient == Vec3(.2));
+}
+
+TEST_CASE("every command is read, and counts its arguments") {
+    const std::string mesh_directory = rt::test::scratch_directory() + "/every_command";
+    std::filesystem::create_directories(mesh_directory);
+    write(mesh_directory + "/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const auto message = [&](const std::string& text) -> std::string {
+        try {
+            parse_scene_text(text + "\n" + camera, "s", mesh_directory);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+
+    for (const SceneCommand& command : scene_commands()) {
+        INFO("command " << command.name);
+        REQUIRE(examples().count(std::string(command.name)) == 1);
+        const auto& [line, before] = examples().at(std::string(command.name));
+        CHECK(message(before + line) == "");
+
+        const std::string next =
+            "s:" + std::to_string(std::count(before.begin(), before.end(), '\n') + 1) + ":";
+        const std::string expected = "; expected: " + std::string(command.name) +
+                                     (command.arguments.empty() ? "" : " " + std::string(command.arguments));
+        const bool any_more = command.arguments.find("...") != std::string_view::npos;
+        if (!command.arguments.empty()) {
+            const std::string shorter = line.substr(0, line.rfind(' '));
+            const std::string error = message(before + shorter);
+            CHECK(error.find(next + std::to_string(shorter.size() + 1) + ": '") == 0);
+            CHECK(error.find(expected) != std::string::npos);
+        }
+        if (!any_more) {
+            const std::string error = message(before + line + " 7");
+            CHECK(error.find(next + std::to_string(line.size() + 2) + ": '") == 0);
+            CHECK(error.find(expected) != std::string::npos);
+        }
+    }
+    CHECK(examples().size() == scene_commands().size());
+}
+
+TEST_CASE("the commands of the whole picture are stored, and the last of several wins") {
+    const Scene scene = parse(
+        "version 1\nsize 1 1\nsize 320 240\nmaxdepth 7\noutput a.png\nencoding srgb\nintegrator uv\n"
+        "background .1 .2 .3\nshadows off\nmincontribution .01\northographic 3\n");
+    CHECK(scene.version == 1);
+    CHECK(scene.width == 320);
+    CHECK(scene.height == 240);
+    CHECK(scene.max_depth == 7);
+    CHECK(scene.output == "a.png");
+    CHECK(scene.encoding == Encoding::Srgb);
+    CHECK(scene.integrator == Integrator::Uv);
+    CHECK(scene.background == Vec3(.1, .2, .3));
+    CHECK_FALSE(scene.shadows);
+    CHECK(scene.min_contribution == .01);
+    CHECK(scene.camera.projection == Projection::Orthographic);
+    CHECK(scene.camera.view_height == 3);
+}
+
+TEST_CASE("the camera's angle becomes radians, and the last camera wins") {
+    const Scene scene = parse_scene_text("camera 9 9 9 0 0 0 0 1 0 10\ncamera 1 2 3 4 5 6 0 2 0 90", "s");
+    CHECK(scene.camera.eye == Vec3(1, 2, 3));
+    CHECK(scene.camera.look_at == Vec3(4, 5, 6));
+    CHECK(scene.camera.up == Vec3(0, 2, 0));
+    CHECK(scene.camera.fovy == pi / 2);
+}
+
+TEST_CASE("every word of a choice means its own value") {
+    const std::pair<const char*, Integrator> integrators[] = {{"raytrace", Integrator::Raytrace},
+                                                              {"flat", Integrator::Flat},
+                                                              {"directions", Integrator::Directions},
+                                                              {"normals", Integrator::Normals},
+                                                              {"uv", Integrator::Uv},
+                                                              {"rasterize", Integrator::Rasterize}};
+    for (const auto& [word, value] : integrators)
+        CHECK(parse(std::string("integrator ") + word).integrator == value);
+    CHECK(parse("encoding linear").encoding == Encoding::Linear);
+    CHECK(parse("encoding srgb").encoding == Encoding::Srgb);
+    CHECK(parse("shadows off\nshadows on").shadows);
+    CHECK(material_of("fresnel none").fresnel == Fresnel::None);
+    CHECK(material_of("fresnel exact").fresnel == Fresnel::Exact);
+    CHECK(material_of("fresnel schlick").fresnel == Fresnel::Schlick);
+    CHECK(material_of("highlight phong").highlight == Highlight::Phong);
+    CHECK(material_of("highlight phong\nhighlight blinn").highlight == Highlight::Blinn);
+}
+
+TEST_CASE("the choices that the reference lists are the ones that are known") {
+    for (const SceneCommand& command : scene_commands()) {
+        if (command.arguments.find('|') == std::string_view::npos) continue;
+        std::istringstream words{std::string(command.arguments)};
+        for (std::string word; std::getline(words, word, '|');) {
+            INFO(command.name << ' ' << word);
+            CHECK(error_of(std::string(command.name) + " " + word) == "");
+        }
+    }
+}
+
+TEST_CASE("every material command sets its own field") {
+    const Material material = material_of(
+        "ambient .1 .2 .3\ndiffuse .4 .5 .6\nspecular .7 .8 .9\nemission 1 2 3\nshininess 20\nior 1.5\n"
+        "transmission .5 .6 .7\nabsorption .01 .02 .03\nchecker 1 .9 .8 .3 .2 .1 .25");
+    CHECK(material.ambient == Vec3(.1, .2, .3));
+    CHECK(material.diffuse == Vec3(.4, .5, .6));
+    CHECK(material.specular == Vec3(.7, .8, .9));
+    CHECK(material.emission == Vec3(1, 2, 3));
+    CHECK(material.shininess == 20);
+    CHECK(material.ior == 1.5);
+    CHECK(material.transmission == Vec3(.5, .6, .7));
+    CHECK(material.absorption == Vec3(.01, .02, .03));
+    CHECK(material.checker.even == Vec3(1, .9, .8));
+    CHECK(material.checker.odd == Vec3(.3, .2, .1));
+    CHECK(material.checker.size == .25);
+}
+
+TEST_CASE("a material is stored when an object uses it and it changed") {
+    const Scene scene = parse(
+        "diffuse 1 0 0\nsphere 0 0 0 1\nsphere 1 0 0 1\ndiffuse 1 0 0\nsphere 2 0 0 1\n"
+        "diffuse 0 1 0\ndiffuse 0 0 1\nsphere 3 0 0 1\ndiffuse 0 1 1");
+    REQUIRE(scene.materials.size() == 2);
+    CHECK(scene.materials[0].diffuse == Vec3(1, 0, 0));
+    CHECK(scene.materials[1].diffuse == Vec3(0, 0, 1));
+    CHECK(scene.objects[0].material == 0);
+    CHECK(scene.objects[2].material == 0);
+    CHECK(scene.objects[3].material == 1);
+}
+
+TEST_CASE("shapes keep their numbers and their place in the file") {
+    const Scene scene = parse(
+        "vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n"
+        "vertexnormal 0 0 0 0 0 1\nvertexnormal 1 0 0 0 1 0\nvertexnormal 0 1 0 2 0 0\n"
+        "sphere 1 2 3 4\n  plane 0 -1 0 0 2 0\ntri 0 1 3\ntrinormal 2 1 0\npolygon 3 2 1 0");
+    REQUIRE(scene.objects.size() == 5);
+    CHECK(shape<Sphere>(scene, 0).center == Vec3(1, 2, 3));
+    CHECK(shape<Sphere>(scene, 0).radius == 4);
+    CHECK(shape<Plane>(scene, 1).point == Vec3(0, -1, 0));
+    CHECK(shape<Plane>(scene, 1).normal == Vec3(0, 2, 0));
+    CHECK(shape<TriangleObject>(scene, 2).vertex == std::array<std::uint32_t, 3>{0, 1, 3});
+    CHECK_FALSE(shape<TriangleObject>(scene, 2).smooth);
+    CHECK(shape<TriangleObject>(scene, 3).vertex == std::array<std::uint32_t, 3>{2, 1, 0});
+    CHECK(shape<TriangleObject>(scene, 3).smooth);
+    CHECK(shape<PolygonObject>(scene, 4).vertex == std::vector<std::uint32_t>{3, 2, 1, 0});
+    CHECK(scene.vertices.at(2) == Vec3(1, 1, 0));
+    CHECK(scene.smooth_vertices.at(2).position == Vec3(0, 1, 0));
+    CHECK(scene.smooth_vertices.at(2).normal == Vec3(2, 0, 0));
+    CHECK(scene.objects[1].place.line == 9);
+    CHECK(scene.objects[1].place.column == 3);
+}
+
+TEST_CASE("a point light takes the attenuation in force, a directional light has none") {
+    const Scene scene = parse(
+        "point 1 2 3 .1 .2 .3\nattenuation 0 1 2\ndirectional 0 2 0 1 1 1\npoint 4 5 6 1 1 1\n"
+        "attenuation 1 0 0\npoint 7 8 9 1 1 1");
+    REQUIRE(scene.lights.size() == 4);
+    CHECK(std::get<PointLight>(scene.lights[0]).position == Vec3(1, 2, 3));
+    CHECK(std::get<PointLight>(scene.lights[0]).color == Vec3(.1, .2, .3));
+    CHECK(std::get<PointLight>(scene.lights[0]).attenuation == Vec3(1, 0, 0));
+    CHECK(std::get<DirectionalLight>(scene.lights[1]).direction == Vec3(0, 2, 0));
+    CHECK(std::get<PointLight>(scene.lights[2]).attenuation == Vec3(0, 1, 2));
+    CHECK(std::get<PointLight>(scene.lights[3]).attenuation == Vec3(1, 0, 0));
+}
+
+TEST_CASE("transforms form a tree, and popTransform returns to the node of its pushTransform") {
+    const Scene scene = parse(
+        "sphere 0 0 0 1\ntranslate 1 2 3\npushTransform\nrotate 0 0 1 90\nscale 1 2 3\nsphere 0 0 0 1\n"
+        "popTransform\nsphere 0 0 0 1\nscale 2 2 2\nsphere 0 0 0 1");
+    REQUIRE(scene.transforms.size() == 4);
+    CHECK(std::get<Translate>(scene.transforms[0].step).by == Vec3(1, 2, 3));
+    CHECK(std::get<Rotate>(scene.transforms[1].step).axis == Vec3(0, 0, 1));
+    CHECK(std::get<Rotate>(scene.transforms[1].step).angle == pi / 2);
+    CHECK(std::get<Scale>(scene.transforms[2].step).by == Vec3(1, 2, 3));
+    CHECK(scene.transforms[0].parent == -1);
+    CHECK(scene.transforms[1].parent == 0);
+    CHECK(scene.transforms[2].parent == 1);
+    CHECK(scene.transforms[3].parent == 0);
+    CHECK(scene.transforms[2].place.line == 5);
+    CHECK(scene.objects[0].transform == -1);
+    CHECK(scene.objects[1].transform == 2);
+    CHECK(scene.objects[2].transform == 0);
+    CHECK(scene.objects[3].transform == 3);
+}
+
+TEST_CASE("transforms can be remembered a hundred thousand deep, and need not be returned from") {
+    std::string text;
+    for (int i = 0; i < 100000; ++i) text += "pushTransform\ntranslate 0 0 1\n";
+    CHECK(parse(text + "sphere 0 0 0 1").objects.at(0).transform == 99999);
+    std::string pops;
+    for (int i = 0; i < 100000; ++i) pops += "popTransform\n";
+    CHECK(parse(text + pops + "sphere 0 0 0 1").objects.at(0).transform == -1);
+    CHECK(error_of(text + pops + "popTransform").substr(0, 12) == "s:300001:1: ");
+}
+
+TEST_CASE("blanks, line ends and comments may be as they like") {
+    const Scene plain = parse_scene_text("size 32 24\nsphere 1 2 3 4\n" + camera, "s");
+    for (const std::string& text : std::vector<std::string>{
+             "size\t32 \t 24\t\r\n\r\n  sphere +1 2. 3.0 .4e1 # a ball\r\n" + camera,
+             "\n\n\n#size 1 1\nsize 32 24#no blank\nsphere 1 2 3 4\n# end\ncamera 0 0 5 0 0 0 0 1 0 45",
+             "\xEF\xBB\xBFsize 32 24\nsphere 1 2 3 4\n" + camera,
+             "size 32 24\rsphere 1 2 3 4\rcamera 0 0 5 0 0 0 0 1 0 45\r",
+             "\fsize 32.0 24e0\n\f\nsphere 1 2 3 4 \f\n" + camera}) {
+        INFO(text);
+        const Scene scene = parse_scene_text(text, "s");
+        CHECK(scene.width == plain.width);
+        CHECK(scene.height == plain.height);
+        REQUIRE(scene.objects.size() == 1);
+        CHECK(shape<Sphere>(scene).center == Vec3(1, 2, 3));
+        CHECK(shape<Sphere>(scene).radius == 4);
+    }
+}
+
+TEST_CASE("numbers are decimal, whole words, and correctly rounded") {
+    const std::pair<const char*, Real> good[] = {
+        {"1", 1},
+        {"+1", 1},
+        {"-1", -1},
+        {".5", .5},
+        {"-.5", -.5},
+        {"+.5", .5},
+        {"5.", 5},
+        {"1e-3", 1e-3},
+        {"1E3", 1000},
+        {"+1.5e+2", 150},
+        {"0", 0},
+        {"007", 7},
+        {"5e-324", 5e-324},
+        {"0.1", 0.1},
+        {"1.7976931348623157e308", 1.7976931348623157e308},
+        {"123456789012345678901234567890", 123456789012345678901234567890.0}};
+    for (const auto& [word, value] : good) {
+        INFO(word);
+        CHECK(parse_number(word).problem.empty());
+        CHECK(parse_number(word).value == value);
+    }
+    for (const char* word : {"",      "+",    "-",        ".",     "e5",     "1e",     "1e+",   "1,5",
+                             "1.2.3", "1f",   "0x10",     "++1",   "+-1",    "1-",     "one",   "nan",
+                             "inf",   "-inf", "infinity", "1e309", "-1e309", "1e-400", "1_000", "1'000"}) {
+        INFO(word);
+        CHECK_FALSE(parse_number(word).problem.empty());
+    }
+}
+
+TEST_CASE("what is wrong is said with its line and column") {
+    const std::pair<const char*, const char*> wrong[] = {
+        // Words
+        {"\n\n  spere 0 0 0 1", "s:3:3: unknown command 'spere'; did you mean 'sphere'?"},
+        {"poptransform", "s:1:1: unknown command 'poptransform'; did you mean 'popTransform'?"},
+        {"push", "s:1:1: unknown command 'push'; did you mean 'pushTransform'?"},
+        {"frobnicate 1", "s:1:1: unknown command 'frobnicate'"},
+        {"si\x1bze 1 1", "s:1:1: unknown command 'si?ze'; did you mean 'size'?"},
+        {"sphere 1 2 3", "s:1:13: 'sphere' needs 4 arguments, here are 3; expected: sphere x y z r"},
+        {"sphere 1 2 3 \t # 4", "s:1:13: 'sphere' needs 4 arguments, here are 3; expected: sphere x y z r"},
+        {"sphere 1 2 3 4 5", "s:1:16: 'sphere' needs 4 arguments, here are 5; expected: sphere x y z r"},
+        {"shininess", "s:1:10: 'shininess' needs 1 argument, here are 0; expected: shininess s"},
+        {"pushTransform 1", "s:1:15: 'pushTransform' needs 0 arguments, here is 1; expected: pushTransform"},
+        {"polygon 0 1",
+         "s:1:12: 'polygon' needs at least 3 arguments, here are 2; expected: polygon i j k ..."},
+        // Numbers
+        {"sphere 1 two 3 4", "s:1:10: 'two' is not a number; expected: sphere x y z r"},
+        {"\t\tvertex 1 2 3x", "s:1:14: '3x' is not a number; expected: vertex x y z"},
+        {"vertex 1,5 2 3",
+         "s:1:8: '1,5' is not a number: decimals are written with a point; expected: vertex x y z"},
+        {"vertex nan 2 3", "s:1:8: 'nan' is not a finite number; expected: vertex x y z"},
+        {"vertex 1 -inf 3", "s:1:10: '-inf' is not a finite number; expected: vertex x y z"},
+        {"vertex 1 2 1e999",
+         "s:1:12: '1e999' is beyond the numbers that a double can hold; expected: vertex x y z"},
+        {"size 320.5 240", "s:1:6: '320.5' is not a whole number; expected: size w h"},
+        // Ranges
+        {"size 0 240", "s:1:6: width must be from 1 to 65536, not 0"},
+        {"size 320 -1", "s:1:10: height must be from 1 to 65536, not -1"},
+        {"size 65537 1", "s:1:6: width must be from 1 to 65536, not 65537"},
+        {"size 65536 65536", "s:1:6: 65536 by 65536 is 4294967296 pixels; at most 268435456 are possible"},
+        {"maxdepth -1", "s:1:10: the number of bounces must be from 0 to 2147483647, not -1"},
+        {"maxverts -1", "s:1:10: the number of vertices must be from 0 to 9007199254740992, not -1"},
+        {"maxvertnorms 1.5", "s:1:14: '1.5' is not a whole number; expected: maxvertnorms n"},
+        {"sphere 0 0 0 0", "s:1:14: the radius must be greater than 0, not 0"},
+        {"sphere 0 0 0 -2", "s:1:14: the radius must be greater than 0, not -2"},
+        {"orthographic 0", "s:1:14: the height of the view must be greater than 0, not 0"},
+        {"checker 1 1 1 0 0 0 0", "s:1:21: the size of the checker's cubes must be greater than 0, not 0"},
+        {"ior 0", "s:1:5: the index of refraction must be greater than 0, not 0"},
+        {"shininess -1", "s:1:11: the shininess must not be negative, but is -1"},
+        {"mincontribution -1", "s:1:17: the least contribution must not be negative, but is -1"},
+        {"transmission 0 -1 0", "s:1:16: transmission must not be negative, but is -1"},
+        {"absorption 0 0 -1", "s:1:16: absorption must not be negative, but is -1"},
+        {"attenuation 1 0 -1", "s:1:17: attenuation must not be negative, but is -1"},
+        {"attenuation 0 0 0", "s:1:13: attenuation 0 0 0 would divide light by zero"},
+        {"version 2", "s:1:9: the version of the language must be from 1 to 1, not 2"},
+        {"size 1 1\nversion 1", "s:2:1: 'version' must be the first command"},
+        // Directions
+        {"plane 0 0 0 0 0 0", "s:1:13: the normal must not be 0 0 0"},
+        {"vertexnormal 1 2 3 0 0 0", "s:1:20: the normal must not be 0 0 0"},
+        {"directional 0 0 0 1 1 1", "s:1:13: the direction to the light must not be 0 0 0"},
+        {"rotate 0 0 0 90", "s:1:8: the axis of a rotation must not be 0 0 0"},
+        {"scale 1 0 1", "s:1:9: a scale factor of 0 makes things flat; it must not be 0"},
+        {"scale 1 1 -0", "s:1:11: a scale factor of 0 makes things flat; it must not be 0"},
+        // Camera
+        {"camera 1 2 3 1 2 3 0 1 0 45", "s:1:14: the camera looks at the point where it stands"},
+        {"camera 0 0 5 0 0 0 0 0 0 45", "s:1:20: the up direction must not be 0 0 0"},
+        {"camera 0 0 5 0 0 0 0 0 1 45", "s:1:20: the up direction is parallel to the direction of view"},
+        {"camera .1 .2 .3 .4 .8 1.2 -1 -2 -3 45",
+         "s:1:27: the up direction is parallel to the direction of view"},
+        {"camera 0 0 5 0 0 0 0 1 0 0",
+         "s:1:26: the field of view must be between 0 and 180 degrees, both excluded, not 0"},
+        {"camera 0 0 5 0 0 0 0 1 0 180",
+         "s:1:26: the field of view must be between 0 and 180 degrees, both excluded, not 180"},
+        // Indices
+        {"tri 0 1 2", "s:1:5: index 0: no vertex stands before this line"},
+        {"vertex 0 0 0\ntrinormal 0 0 0", "s:2:11: index 0: no vertexnormal stands before this line"},
+        {"vertex 0 0 0\nvertex 0 0 1\ntri 0 1 2",
+         "s:3:9: index 2 is out of range: 0 to 1 stand before this line"},
+        {"vertex 0 0 0\ntri 0 -1 0", "s:2:7: index -1 is out of range: 0 to 0 stand before this line"},
+        {"vertex 0 0 0\ntri 0 .5 0", "s:2:7: '.5' is not a whole number; expected: tri a b c"},
+        {"vertex 0 0 0\npolygon 0 0 0 4", "s:2:15: index 4 is out of range: 0 to 0 stand before this line"},
+        // Choices
+        {"integrator normal",
+         "s:1:12: 'normal' is not a known integrator; did you mean 'normals'?; expected: integrator "
+         "raytrace|flat|directions|normals|uv|rasterize"},
+        {"encoding SRGB",
+         "s:1:10: 'SRGB' is not a known encoding; did you mean 'srgb'?; expected: encoding linear|srgb"},
+        {"shadows maybe", "s:1:9: 'maybe' is not a known shadows; expected: shadows on|off"},
+        // Order
+        {"popTransform", "s:1:1: 'popTransform' without a 'pushTransform' before it"},
+        {"pushTransform\npopTransform\n popTransform",
+         "s:3:2: 'popTransform' without a 'pushTransform' before it"},
+    };
+    for (const auto& [text, message] : wrong) {
+        INFO(text);
+        CHECK(error_of(text) == message);
+    }
+}
+
+TEST_CASE("a scene without a camera is wrong at its last line") {
+    const std::string message =
+        "1: no camera in the whole file; expected somewhere: camera fx fy fz ax ay az ux uy uz fovy";
+    CHECK(error_of_whole("") == "s:1:" + message);
+    CHECK(error_of_whole("size 1 1\n\nsphere 0 0 0 1\n") == "s:3:" + message);
+    CHECK(error_of_whole("size 1 1\nsphere 0 0 0 1") == "s:2:" + message);
+}
+
+TEST_CASE("an upright camera is accepted however large or small its numbers") {
+    CHECK(error_of("camera 1e308 0 0 -1e308 0 0 0 1 0 45") == "");
+    CHECK(error_of("camera 1e-320 0 0 0 0 0 0 1e-320 0 45") == "");
+    CHECK(error_of("camera 0 0 5 0 0 0 0 1e-9 1 45") == "");
+    CHECK(error_of("camera 0 0 5e-324 0 0 0 0 0 1 45") != "");
+    CHECK(error_of("camera 1e308 0 0 -1e308 0 0 1 0 0 45") != "");
+}
+
+TEST_CASE("what is no text is refused with its place") {
+    const std::string nul(1, '\0');
+    CHECK(error_of("size 1 1\nsph" + nul + "ere 0 0 0 1") == "s:2:4: a zero byte: this is not a text file");
+    CHECK(error_of_whole("\x89PNG\r\n\x1a\n" + nul) == "s:3:1: a zero byte: this is not a text file");
+    CHECK(error_of_whole("\xFF\xFEs") == "s:1:1: the file is in UTF-16; save it as UTF-8");
+    CHECK(error_of("#" + std::string(1000000, 'x')) == "");
+    CHECK(error_of("\n" + std::string(1100000, 'x')) ==
+          "s:2:1: the line is longer than a megabyte: this does not look like a scene file");
+    CHECK(error_of(std::string(100, 'x')) == "s:1:1: unknown command '" + std::string(40, 'x') + "…'");
+}
+
+TEST_CASE("lenient reading skips unknown commands, says so, and forgives nothing else") {
+    std::vector<std::string> warnings;
+    const ParseOptions lenient{.lenient = true, .warnings = &warnings};
+    CHECK(parse("spere 0 0 0 1\nsphere 0 0 0 1\nmotionblur", lenient).objects.size() == 1);
+    CHECK(warnings ==
+          std::vector<std::string>{"s:1:1: unknown command 'spere'; did you mean 'sphere'? (line skipped)",
+                                   "s:3:1: unknown command 'motionblur' (line skipped)"});
+    CHECK(error_of("sphere 0 0 0", lenient) != "");
+    CHECK(parse("spere", {.lenient = true}).objects.empty());
+}
+
+TEST_CASE("files that cannot be read are named with the reason") {
+    const auto message = [](const std::string& path) -> std::string {
+        try {
+            parse_scene(path);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const std::string directory = rt::test::scratch_directory() + "/unreadable";
+    std::filesystem::create_directories(directory);
+    write(directory + "/spheres.test", camera);
+    CHECK(message(directory) == directory + ": is a directory, not a file");
+    CHECK(message(directory + "/sphere.test") ==
+          directory + "/sphere.test: there is no such file; did you mean 'spheres.test'?");
+    CHECK(message(directory + "/other") == directory + "/other: there is no such file");
+    CHECK(message("") == ": there is no such file");
+    write(directory + "/bad.test", "size 1\n");
+    CHECK(message(directory + "/bad.test") ==
+          directory + "/bad.test:1:7: 'size' needs 2 arguments, here is 1; expected: size w h");
+    CHECK(message(directory + "/spheres.test") == "");
+}
+
+TEST_CASE("objects that name the same mesh file share it") {
+    const std::string directory = rt::test::scratch_directory() + "/shared_mesh";
+    std::filesystem::create_directories(directory + "/models");
+    write(directory + "/models/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write(directory + "/b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3 4\n");
+    write(directory + "/m.test",
+          "mesh models/a.obj\ntranslate 1 0 0\nmesh models/../models/a.obj\nmesh b.obj\n" + camera);
+    const Scene scene = parse_scene(directory + "/m.test");
+    REQUIRE(scene.meshes.size() == 2);
+    CHECK(scene.meshes[0].file == "models/a.obj");
+    CHECK(scene.meshes[0].triangles.size() == 1);
+    CHECK(scene.meshes[1].triangles.size() == 2);
+    CHECK(shape<MeshObject>(scene, 0).mesh == 0);
+    CHECK(shape<MeshObject>(scene, 1).mesh == 0);
+    CHECK(shape<MeshObject>(scene, 2).mesh == 1);
+    CHECK(scene.objects[1].transform == 0);
+}
+
+TEST_CASE("what is wrong with a mesh is said with the lines of both files") {
+    const std::string directory = rt::test::scratch_directory() + "/wrong_mesh";
+    std::filesystem::create_directories(directory);
+    write(directory + "/a.obj", "v 0 0 0\nv 1 0 zero\n");
+    const auto message = [&](const std::string& line) -> std::string {
+        try {
+            parse_scene_text("\n" + line, "s", directory);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    CHECK(message("  mesh a.obj") == "s:2:8: mesh " + directory + "/a.obj:2: 'zero' is not a number");
+    CHECK(message("mesh b.obj") ==
+          "s:2:6: mesh " + directory + "/b.obj: there is no such file; did you mean 'a.obj'?");
+    CHECK(error_of("mesh a.obj", {.meshes = false}) == "s:1:1: mesh files are not read here");
+}
+
+TEST_CASE("a scene of a hundred thousand lines is read whole") {
+    std::string text;
+    for (int i = 0; i < 100000; ++i) text += "sphere " + std::to_string(i) + " 0.125 -3.5e2 0.1\n";
+    const Scene scene = parse(text);
+    REQUIRE(scene.objects.size() == 100000);
+    CHECK(shape<Sphere>(scene, 99999).center == Vec3(99999, .125, -350));
+    CHECK(scene.objects[99999].place.line == 100000);
+    CHECK(scene.materials.size() == 1);
+}
+
+TEST_CASE("the reference lists exactly the commands") {
+    const std::string readme = file_content(rt::test::repository() + "/common/scene/README.md");
+    const std::string begin = "<!-- commands -->\n", end = "<!-- /commands -->";
+    const std::size_t from = readme.find(begin), to = readme.find(end);
+    REQUIRE(from != std::string::npos);
+    REQUIRE(to != std::string::npos);
+    const std::string listed = readme.substr(from + begin.size(), to - from - begin.size());
+    const std::string wanted = rt::test::scratch_directory() + "/commands.md";
+    write(wanted, scene_command_table());
+    INFO("the table that belongs into common/scene/README.md is in " << wanted);
+    CHECK((listed == scene_command_table()));
+}
+
+TEST_CASE("the fuzzer's dictionary has every command and choice") {
+    const std::string dictionary = file_content(rt::test::repository() + "/tests/fuzz/parse.dict");
+    for (const SceneCommand& command : scene_commands()) {
+        INFO(command.name);
+        CHECK(dictionary.find('"' + std::string(command.name) + '"') != std::string::npos);
+    }
+}
+
+TEST_CASE("scenes as the base format's users write them are read whole") {
+    struct Counts {
+        std::size_t objects, lights, vertices, smooth_vertices, materials;
+    };
+    const std::map<std::string, Counts> counts = {
+        {"beads.test", {1000, 2, 0, 0, 1000}},   {"fan.test", {22, 2, 0, 0, 21}},
+        {"glow.test", {39, 0, 0, 0, 38}},        {"goblet.test", {882, 2, 4, 460, 2}},
+        {"lamps.test", {12, 6, 4, 0, 2}},        {"mirrors.test", {134, 2, 81, 0, 8}},
+        {"penguins.test", {25, 2, 0, 0, 9}},     {"room.test", {34, 1, 16, 0, 5}},
+        {"serpent.test", {2002, 2, 1014, 0, 2}}, {"star.test", {32, 2, 6, 0, 3}},
+        {"steps.test", {300, 2, 8, 0, 25}},      {"table.test", {79, 2, 8, 0, 9}},
+    };
+    std::size_t found = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(rt::test::repository() + "/tests/common/base_scenes")) {
+        const std::string name = entry.path().filename().string();
+        INFO(name);
+        const Scene scene = parse_scene(entry.path());
+        REQUIRE(counts.count(name) == 1);
+        const Counts& expected = counts.at(name);
+        CHECK(scene.objects.size() == expected.objects);
+        CHECK(scene.lights.size() == expected.lights);
+        CHECK(scene.vertices.size() == expected.vertices);
+        CHECK(scene.smooth_vertices.size() == expected.smooth_vertices);
+        CHECK(scene.materials.size() == expected.materials);
+        CHECK(scene.width >= 160);
+        CHECK(scene.width <= 320);
+        ++found;
+    }
+    CHECK(found == counts.size());
+    CHECK(found >= 10);
+}
+
+TEST_CASE("the nearest name is suggested, and none where none is near") {
+    const std::vector<std::string_view> names = {"sphere", "specular",      "shadows",     "scale",
+                                                 "size",   "pushTransform", "popTransform"};
+    CHECK(suggest("spere", names) == "sphere");
+    CHECK(suggest("shpere", names) == "sphere");
+    CHECK(suggest("Sphere", names) == "sphere");
+    CHECK(suggest("sizes", names) == "size");
+    CHECK(suggest("poptransfrom", names) == "popTransform");
+    CHECK(suggest("push", names) == "pushTransform");
+    CHECK_FALSE(suggest("light", names));
+    CHECK_FALSE(suggest("", names));
+    CHECK_FALSE(suggest("x", names));
+    CHECK_FALSE(suggest("sphere", {}));
+    const std::vector<std::string_view> two = {"vertexnormal", "vertexcolour"};
+    CHECK_FALSE(suggest("vertex", two));
+    CHECK(suggest("vertexn", two) == "vertexnormal");
+    CHECK(did_you_mean("spere", names) == "; did you mean 'sphere'?");
+    CHECK(did_you_mean("light", names).empty());
+}
+
+TEST_CASE("the edit distance counts inserted, deleted, replaced and swapped letters") {
+    CHECK(edit_distance("", "") == 0);
+    CHECK(edit_distance("abc", "") == 3);
+    CHECK(edit_distance("", "ab") == 2);
+    CHECK(edit_distance("abc", "abc") == 0);
+    CHECK(edit_distance("abc", "ABC") == 0);
+    CHECK(edit_distance("abc", "abxc") == 1);
+    CHECK(edit_distance("abc", "ac") == 1);
+    CHECK(edit_distance("abc", "axc") == 1);
+    CHECK(edit_distance("abc", "acb") == 1);
+    CHECK(edit_distance("kitten", "sitting") == 3);
+}

@@ -1,0 +1,68 @@
+// The scene and mesh parsers under libFuzzer: whatever the bytes, out comes a scene or an InputError of one
+// line. README.md beside this file says how to build and run it.
+#include "common/math/input_error.hpp"
+#include "common/scene/mesh_file.hpp"
+#include "common/scene/parse.hpp"
+
+#include <cstdlib>
+#include <string_view>
+
+namespace {
+
+void require(bool holds) {
+    if (!holds) std::abort();
+}
+
+/// What every scene promises to those who read it.
+void check_scene(const rt::Scene& scene) {
+    require(scene.width >= 1 && scene.width <= 65536 && scene.height >= 1 && scene.height <= 65536);
+    require(scene.camera.eye != scene.camera.look_at);
+    for (const rt::Object& object : scene.objects) {
+        require(object.material < scene.materials.size());
+        require(object.transform < static_cast<int>(scene.transforms.size()));
+        if (const auto* triangle = std::get_if<rt::TriangleObject>(&object.shape))
+            for (const std::uint32_t vertex : triangle->vertex)
+                require(vertex < (triangle->smooth ? scene.smooth_vertices.size() : scene.vertices.size()));
+        if (const auto* polygon = std::get_if<rt::PolygonObject>(&object.shape)) {
+            require(polygon->vertex.size() >= 3);
+            for (const std::uint32_t vertex : polygon->vertex) require(vertex < scene.vertices.size());
+        }
+    }
+    for (std::size_t i = 0; i < scene.transforms.size(); ++i)
+        require(scene.transforms[i].parent < static_cast<int>(i));
+}
+
+void check_mesh(const rt::Mesh& mesh) {
+    for (const auto& triangle : mesh.triangles)
+        for (const rt::Mesh::Corner& corner : triangle) {
+            require(corner.position >= 0 &&
+                    static_cast<std::size_t>(corner.position) < mesh.positions.size());
+            require(corner.normal >= -1 && corner.normal < static_cast<int>(mesh.normals.size()));
+            require(corner.uv >= -1 && corner.uv < static_cast<int>(mesh.uvs.size()));
+        }
+}
+
+/// Runs `read`; an InputError must be one line that begins with the file's name.
+template <class Read>
+void must_read_or_refuse(Read read) {
+    try {
+        read();
+    } catch (const rt::InputError& error) {
+        const std::string_view line = error.what();
+        require(line.starts_with("fuzz:") && line.find('\n') == std::string_view::npos);
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    for (const bool lenient : {false, true})
+        must_read_or_refuse([&] {
+            std::vector<std::string> warnings;
+            check_scene(rt::parse_scene_text(text, "fuzz", {},
+                                             {.lenient = lenient, .meshes = false, .warnings = &warnings}));
+        });
+    must_read_or_refuse([&] { check_mesh(rt::parse_mesh(text, "fuzz")); });
+    return 0;
+}

@@ -1,0 +1,147 @@
+// The main program of every test program: Catch2, and a report that a crash cannot take away.
+// Beside Catch2's own options: --quick (fewer random cases) and --report FILE (see below).
+#define COURSE_TEST_MAIN
+#include "common/math/todo.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace rt::test {
+
+// Set by --quick; read by `cases`.
+extern bool quick;
+
+namespace {
+
+std::string report_file;
+int passed = 0, failed = 0, waiting = 0;
+bool finished = false;
+
+// The step whose function a test called although it is not started; empty while there was none.
+std::string missing_step;
+
+std::string json(std::string_view text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            quoted += {'\\', c};
+        } else if (static_cast<unsigned char>(c) < 0x20) {
+            char escape[8];
+            std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
+            quoted += escape;
+        } else {
+            quoted += c;
+        }
+    }
+    return quoted + "\"";
+}
+
+/// The file as a person at the repository's root names it.
+std::string relative_to_root(std::string file) {
+    const std::string root = repository() + "/";
+    return file.starts_with(root) ? file.substr(root.size()) : file;
+}
+
+/// What a failed assertion says, the place and the condition first, then values and what INFO captured.
+std::string describe(const Catch::AssertionStats& stats) {
+    const Catch::AssertionResult& result = stats.assertionResult;
+    const Catch::SourceLineInfo place = result.getSourceInfo();
+    std::ostringstream text;
+    text << relative_to_root(place.file) << ':' << place.line << ':';
+    if (result.hasExpression()) text << ' ' << result.getExpressionInMacro();
+    if (result.getResultType() == Catch::ResultWas::ThrewException)
+        text << (result.hasExpression() ? "\nan exception came out: " : " an exception came out: ")
+             << result.getMessage();
+    else if (result.getResultType() == Catch::ResultWas::DidntThrowException)
+        text << "\nno exception came out";
+    else if (result.hasExpandedExpression())
+        text << "\nthat is: " << result.getExpandedExpression();
+    else if (result.hasMessage())
+        text << ' ' << result.getMessage();
+    for (const Catch::MessageInfo& info : stats.infoMessages)
+        if (info.type == Catch::ResultWas::Info) text << '\n' << info.message;
+    return text.str();
+}
+
+/// Writes one line of JSON as each test case starts and one as it ends, so that whoever started the program
+/// can name the test in which it died:
+///   {"started":"name","steps":["02.1"]}
+///   {"ended":"name","steps":["02.1"],"state":"todo|failed|passed","message":"…","missing":"02.1"}
+/// and {"finished":true} after the last.
+struct Report : Listener {
+    using Listener::Listener;
+
+    std::ofstream out;
+    std::string first_failure;
+
+    void testRunStarting(const Catch::TestRunInfo&) override {
+        if (!report_file.empty()) out.open(report_file, std::ios::trunc);
+    }
+
+    void testCaseStarting(const Catch::TestCaseInfo& info) override {
+        first_failure.clear();
+        missing_step.clear();
+        out << "{\"started\":" << json(info.name) << ",\"steps\":" << steps(info) << "}" << std::endl;
+    }
+
+    AssertionEnded assertionEnded(const Catch::AssertionStats& stats) override {
+        if (!stats.assertionResult.isOk() && first_failure.empty()) first_failure = describe(stats);
+        return AssertionEnded();
+    }
+
+    void testCaseEnded(const Catch::TestCaseStats& stats) override {
+        const bool todo = !missing_step.empty();
+        const bool ok = !todo && stats.totals.assertions.allOk();
+        ++(todo ? waiting : ok ? passed : failed);
+        const Catch::TestCaseInfo& info = info_of(stats);
+        out << "{\"ended\":" << json(info.name) << ",\"steps\":" << steps(info) << ",\"state\":"
+            << json(todo ? "todo"
+                    : ok ? "passed"
+                         : "failed")
+            << ",\"message\":" << json(todo || ok ? "" : first_failure)
+            << ",\"missing\":" << json(missing_step) << "}" << std::endl;
+    }
+
+    void testRunEnded(const Catch::TestRunStats&) override {
+        finished = true;
+        out << "{\"finished\":true}" << std::endl;
+    }
+
+    static std::string steps(const Catch::TestCaseInfo& info) {
+        std::string list;
+        for (const std::string& tag : tags_of(info)) list += (list.empty() ? "" : ",") + json(tag);
+        return "[" + list + "]";
+    }
+};
+
+CATCH_REGISTER_LISTENER(Report)
+
+CATCH_TRANSLATE_EXCEPTION(const NotImplemented& error) {
+    if (missing_step.empty()) missing_step = error.step;
+    return error.what();
+}
+
+}  // namespace
+
+}  // namespace rt::test
+
+/// Exit status: 0 if every test passed, 1 if not, 2 for a wrong command line. The last line on standard
+/// output is `N passed, N failed`, and `, N skipped` where functions that tests need are not started.
+int main(int argc, char** argv) {
+    using namespace rt::test;
+    Catch::Session session;
+    session.cli(session.cli() |
+                options::Opt(quick)["--quick"]("fewer random cases, as in a student's check") |
+                options::Opt(report_file, "file")["--report"]("write a line of JSON a test case"));
+    if (session.applyCommandLine(argc, argv) != 0) return 2;
+    session.run();
+    if (!finished) return 0;
+    std::cout << passed << " passed, " << failed << " failed";
+    if (waiting > 0) std::cout << ", " << waiting << " skipped";
+    std::cout << std::endl;
+    return failed + waiting > 0 ? 1 : 0;
+}

@@ -1,0 +1,73 @@
+// The methods of textbooks, which break on the stability families.
+#include "tests/stability/naive.hpp"
+
+#include <cmath>
+
+namespace rt::naive {
+
+Roots solve_quadratic(Real a, Real h, Real c) {
+    const Real b = 2 * h;
+    const Real discriminant = b * b - 4 * a * c;
+    if (discriminant < 0) return {};
+    const Real root = std::sqrt(discriminant);
+    return {discriminant > 0 ? 2 : 1, (-b - root) / (2 * a), (-b + root) / (2 * a)};
+}
+
+Roots intersections(const Sphere& sphere, const Ray& ray) {
+    const Vec3 f = ray.origin - sphere.center;
+    return solve_quadratic(dot(ray.direction, ray.direction), dot(f, ray.direction),
+                           dot(f, f) - sphere.radius * sphere.radius);
+}
+
+std::optional<Hit> intersect(const Sphere& sphere, const Ray& ray, Interval range) {
+    const Roots roots = intersections(sphere, ray);
+    if (roots.count == 0) return std::nullopt;
+    for (const Real t : {roots.t0, roots.t1})
+        if (t > epsilon && contains(range, t)) return Hit{.t = t};
+    return std::nullopt;
+}
+
+std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval range) {
+    const Vec3 to_b = triangle.b - triangle.a;
+    const Vec3 to_c = triangle.c - triangle.a;
+    const Vec3 p = cross(ray.direction, to_c);
+    const Real determinant = dot(to_b, p);
+    if (std::abs(determinant) < parallel) return std::nullopt;
+
+    const Real inverse = 1 / determinant;
+    const Vec3 from_a = ray.origin - triangle.a;
+    const Real u = dot(from_a, p) * inverse;
+    if (u < 0 || u > 1) return std::nullopt;
+    const Vec3 q = cross(from_a, to_b);
+    const Real v = dot(ray.direction, q) * inverse;
+    if (v < 0 || u + v > 1) return std::nullopt;
+    const Real t = dot(to_c, q) * inverse;
+    if (!(t > epsilon) || !contains(range, t)) return std::nullopt;
+    return Hit{.t = t, .uv = {u, v}};
+}
+
+std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point) {
+    const Vec3 to_b = triangle.b - triangle.a;
+    const Vec3 to_c = triangle.c - triangle.a;
+    const Vec3 to_point = point - triangle.a;
+    const Real bb = dot(to_b, to_b), bc = dot(to_b, to_c), cc = dot(to_c, to_c);
+    const Real pb = dot(to_point, to_b), pc = dot(to_point, to_c);
+    const Real determinant = bb * cc - bc * bc;
+    if (determinant == 0) return std::nullopt;
+    const Real b = (cc * pb - bc * pc) / determinant;
+    const Real c = (bb * pc - bc * pb) / determinant;
+    return Vec3(1 - b - c, b, c);
+}
+
+bool point_in_polygon(std::span<const Vec2> polygon, const Vec2& point) {
+    bool inside = false;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2& p = polygon[i];
+        const Vec2& q = polygon[(i + 1) % polygon.size()];
+        if ((p.y > point.y) == (q.y > point.y)) continue;
+        if (point.x < (q.x - p.x) * (point.y - p.y) / (q.y - p.y) + p.x) inside = !inside;
+    }
+    return inside;
+}
+
+}  // namespace rt::naive

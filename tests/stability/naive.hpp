@@ -1,0 +1,40 @@
+// The methods of textbooks, which break on the stability families: that shows that the families can fail,
+// and lessons draw what it looks like.
+#pragma once
+
+#include "chapters/02_spheres/quadratic.hpp"
+#include "common/math/ray.hpp"
+#include "common/scene/hit.hpp"
+#include "common/scene/shapes.hpp"
+
+#include <optional>
+#include <span>
+
+namespace rt::naive {
+
+/// Distances below this count as no hit, as is often advised against surfaces that shadow themselves.
+inline constexpr Real epsilon = 1e-4;
+
+/// Determinants below this count as parallel (Möller & Trumbore 1997 print 1e-6).
+inline constexpr Real parallel = 1e-6;
+
+/// (−b ± √(b² − 4ac)) / 2a, with b = 2h; the discriminant is computed from the coefficients.
+Roots solve_quadratic(Real a, Real h, Real c);
+
+/// Both roots for a line and a sphere, by the formula above.
+Roots intersections(const Sphere& sphere, const Ray& ray);
+
+/// The nearest hit beyond `epsilon` in the range.
+std::optional<Hit> intersect(const Sphere& sphere, const Ray& ray, Interval range);
+
+/// The test of Möller & Trumbore (1997), without culling, for hits beyond `epsilon` in the range.
+std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval range);
+
+/// Barycentric coordinates by Cramer's rule from the dot products of the edges (Ericson 2005, §3.4).
+std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point);
+
+/// Even-odd rule that compares the point's x with where the edge, taken in the polygon's direction, crosses
+/// its height (Franklin's PNPOLY).
+bool point_in_polygon(std::span<const Vec2> polygon, const Vec2& point);
+
+}  // namespace rt::naive

@@ -1,0 +1,51 @@
+// What a judge says of a batch of answers, and the tally of a chapter.
+// Worst cases are written in hexadecimal, so that they can be pasted into a test and run again.
+#pragma once
+
+#include "common/math/ray.hpp"
+#include "common/scene/shapes.hpp"
+
+#include <cstddef>
+#include <string>
+
+namespace rt::stability {
+
+/// A case is wrong where the answer breaks the family's demand, undecided where the data lie so close to the
+/// border between two answers that moving them by 4 ulp crosses it: there both answers are right.
+struct Verdict {
+    std::size_t cases = 0;
+    std::size_t undecided = 0;
+    std::size_t mismatches = 0;
+    Real worst = 0;              ///< greatest error of the answers that are right, in units of the demand
+    std::string worst_case;      ///< which case that was
+    std::string first_mismatch;  ///< the first wrong case, what is right and what was answered; or empty
+};
+
+/// Adds the verdict on a further batch.
+void add(Verdict& total, const Verdict& batch);
+
+/// A few lines for a person: counts, worst case, first mismatch.
+std::string describe(const Verdict& verdict);
+
+/// A number, a vector, a ray or a shape as a C++ literal of hexadecimal floats, without any rounding.
+std::string literal(Real x);
+std::string literal(const Vec2& v);
+std::string literal(const Vec3& v);
+std::string literal(const Ray& ray);
+std::string literal(const Sphere& sphere);
+std::string literal(const Triangle& triangle);
+
+/// Counts the cases of one chapter, and prints one line about them when the program ends, on standard error.
+struct Tally {
+    explicit Tally(std::string name) : chapter(std::move(name)) {}
+    ~Tally();
+    Tally(const Tally&) = delete;
+    Tally& operator=(const Tally&) = delete;
+
+    std::string chapter;
+    Verdict stable;  ///< the implementation under test
+    Verdict naive;   ///< the textbook method, which has to fail
+    bool print = false;
+};
+
+}  // namespace rt::stability
