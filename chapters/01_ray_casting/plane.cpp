@@ -21,10 +21,11 @@ Surface surface_at(const Plane& plane, const Ray& ray, const Hit& hit) {
     const Vec3 point = p - glm::dot(n, from_q) * n;
     // The exact foot of p on the plane is p − (n · (p − q)) n. Roundings behind its computed coordinates: n
     // 5, p − q 1, the dot product 3, n again 5 and the product with it 1, all in terms no larger than |n| ·
-    // |p − q| times |n|; and 1 in the last subtraction, of the size of the result. One more each pays for
-    // this bound's own roundings. Chapter 6 derives it.
+    // |p − q| times |n|; and 1 in the last subtraction, of the size of the result. The next ray, which starts
+    // here, finds its distance from the plane with 4 more of the first kind. One more each pays for this
+    // bound's own roundings. Chapter 6 derives it.
     const Real sum = glm::dot(glm::abs(n), glm::abs(from_q));
-    const Vec3 error = gamma(2) * glm::abs(point) + gamma(16) * sum * glm::abs(n);
+    const Vec3 error = gamma(2) * glm::abs(point) + gamma(20) * sum * glm::abs(n);
     return Surface{.point = point, .error = error, .normal = n, .shading_normal = n};
 }
 

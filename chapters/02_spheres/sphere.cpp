@@ -22,13 +22,20 @@ std::optional<Hit> intersect(const Sphere& sphere, const Ray& ray, Interval rang
 
 Surface surface_at(const Sphere& sphere, const Ray& ray, const Hit& hit) {
     Surface surface;
-    // 02.4  Set the surface's normal, shading_normal, point and uv. The vector from the centre to
-    // the hit gives the normal; the point is where that normal, times the radius, ends.
+    // 02.4  Set the surface's normal, shading_normal and point. The vector from the centre to the
+    // hit gives the normal; the point is where that normal, times the radius, ends.
     return todo("02.4");
 
-    // How far rounding has moved the point from the sphere, an axis at a time; chapter 6 derives it.
-    surface.error = gamma(6) * abs(sphere.radius * surface.normal) + gamma(2) * abs(surface.point);
+    // How far rounding has moved the point from the sphere, an axis at a time, and what the next ray, which
+    // starts here, may get wrong about its distance from the sphere; chapter 6 derives it.
+    surface.error = gamma(10) * abs(sphere.radius * surface.normal) + gamma(2) * abs(surface.point);
     return surface;
+}
+
+Vec2 sphere_uv(const Vec3& normal) {
+    // 02.4  u is the longitude atan2(z, x) as a part of a whole turn, v the latitude asin(y) from
+    // pole to pole. Wrap negative u by adding 1; u stays below 1.
+    return todo("02.4");
 }
 
 std::optional<Hit> closest_hit(std::span<const Sphere> spheres, const Ray& ray, Interval range) {

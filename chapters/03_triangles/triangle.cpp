@@ -51,9 +51,9 @@ struct ShearedRay {
 };
 
 ShearedRay shear(const Ray& ray) {
-    // 03.4  Let z be the axis in which |direction| is greatest, x and y the next two in cyclic order.
-    // The map has the rows x − (d.x/d.z)·z, y − (d.y/d.z)·z and z; a matrix of GLM is indexed m[column][row],
-    // and a column says what becomes of one coordinate of the world.
+    // 03.4  Let z be the axis in which |direction| is greatest, x and y the next two in cyclic
+    // order. The map has the rows x − (d.x/d.z)·z, y − (d.y/d.z)·z and z; a matrix of GLM is indexed
+    // m[column][row], and a column says what becomes of one coordinate of the world.
     return todo("03.4");
 }
 
@@ -81,18 +81,20 @@ Surface surface_at(const Triangle& triangle, const Ray&, const Hit& hit) {
     // origin + t · direction does), normal, shading_normal (the same) and uv.
     return todo("03.5");
     // Given; chapter 6 derives it. The point: two roundings in weight_a, one in each product, two in the sum,
-    // and two to cover those of this line. The next ray: one that starts at the point finds the corners, and
-    // so the plane through them, no better than to a few roundings of their distance.
-    const Vec3 size = glm::abs(weight_a * triangle.a) + glm::abs(hit.uv.x * triangle.b) +
-                      glm::abs(hit.uv.y * triangle.c);
-    const Vec3 reach = glm::max(glm::max(glm::abs(triangle.a - surface.point), glm::abs(triangle.b - surface.point)),
-                                glm::abs(triangle.c - surface.point));
-    surface.error = gamma(7) * size + Vec3(gamma(8) * std::max({reach.x, reach.y, reach.z}));
+    // and two to cover those of this line. What else is wrong has the size of the greatest distance of a
+    // corner: 2 because weight_a rounds differences of corners too, 10 because the next ray, which starts
+    // here, finds the plane through the corners no better than that, and two for this line.
+    const Vec3 size =
+        glm::abs(weight_a * triangle.a) + glm::abs(hit.uv.x * triangle.b) + glm::abs(hit.uv.y * triangle.c);
+    const Vec3 reach =
+        glm::max(glm::max(glm::abs(triangle.a - surface.point), glm::abs(triangle.b - surface.point)),
+                 glm::abs(triangle.c - surface.point));
+    surface.error = gamma(7) * size + Vec3(gamma(14) * std::max({reach.x, reach.y, reach.z}));
     return surface;
 }
 
 Vec3 interpolate(const TriangleNormals& normals, const Vec2& uv, const Vec3& flat) {
-    // 03.5  The weighted sum of the three unit normals, made a unit vector; `flat` if it is zero.
+    // 03.5  The weighted sum of the three normals, made a unit vector; `flat` if it is zero.
     return todo("03.5");
 }
 

@@ -26,7 +26,8 @@ std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point);
 
 /// [03.4] Twice the signed area of the triangle (0, p, q): p.x·q.y − p.y·q.x, positive where the turn from p
 /// to q is counterclockwise. The sign is exact and the relative error at most 3u, also where the products
-/// nearly cancel (short of underflow; Dekker 1971), and edge_function(q, p) = −edge_function(p, q) to the bit.
+/// nearly cancel (short of underflow; Dekker 1971), and edge_function(q, p) = −edge_function(p, q) to the
+/// bit.
 Real edge_function(const Vec2& p, const Vec2& q);
 
 /// [03.4] Hit of the ray with the triangle in (range.min, range.max], or nothing; both sides count.
@@ -41,8 +42,9 @@ std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval 
 /// normal (b − a) × (c − a) normalised; uv = Hit::uv.
 Surface surface_at(const Triangle& triangle, const Ray& ray, const Hit& hit);
 
-/// [03.5] The unit normal interpolated at the weights `uv` of the corners b and c. The normals at the
-/// corners are made unit vectors first. `flat` where the sum vanishes.
+/// [03.5] The unit normal interpolated at the weights `uv` of the corners b and c. The normals at the corners
+/// are weighed as they are: who compiles a scene makes those of the file unit vectors, once. `flat` where the
+/// sum vanishes.
 Vec3 interpolate(const TriangleNormals& normals, const Vec2& uv, const Vec3& flat);
 
 /// [03.5] The texture coordinates interpolated at the weights `uv` of the corners b and c.

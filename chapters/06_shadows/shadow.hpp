@@ -18,16 +18,19 @@ struct ShadowRay {
     Interval range;
 };
 
-/// [06.2] The shadow ray from the surface to a light: from the offset origin, in the light's direction (a
-/// unit vector), up to the light but not onto it: the end is shortened by the rounding error of the distance.
+/// [06.2] The shadow ray from the surface to a light: from the offset origin, aimed at the light anew, up to it
+/// but not onto it. Its direction is a unit vector; the end is the distance from the offset origin, shortened
+/// by gamma(16) of itself for rounding, so that what holds the light (a ceiling, say) does not hide it. For a
+/// directional light the direction is the light's and the end infinite. A light on the very origin has an
+/// empty range: nothing hides it.
 ShadowRay shadow_ray(const Surface& surface, const LightSample& light);
 
-/// [06.3] Which part of the light arrives where everything is opaque: 0 or 1 in each channel.
+/// [06.3] Which part of the light arrives where everything is opaque: 0 or 1, the same in all channels.
 Vec3 visibility(const World& world, const ShadowRay& shadow);
 
 /// [06.4] Which part of the light arrives where some things are transparent: the product of the
 /// transmission of every surface crossed, without refraction (POV-Ray's convention); 0 behind anything
-/// opaque.
+/// opaque. Surfaces at exactly the same distance count as one, the first in the file.
 Vec3 colored_visibility(const World& world, const ShadowRay& shadow);
 
 }  // namespace rt

@@ -70,11 +70,14 @@ BuildResult build_targets(const Project& project, const std::vector<std::string>
 std::string first_error(const Project& project, const std::string& output) {
     std::string linker, last;
     for (const std::string& line : split_lines(output)) {
-        if (line.find(": error: ") != std::string::npos || line.find(": fatal error: ") != std::string::npos)
+        const bool from_driver = line.starts_with("collect2:") || line.starts_with("clang");
+        if (!from_driver && (line.find(": error: ") != std::string::npos ||
+                             line.find(": fatal error: ") != std::string::npos))
             return without_root(project, line);
         const bool from_linker = line.find("undefined reference to") != std::string::npos ||
                                  line.find("multiple definition of") != std::string::npos ||
-                                 line.find("undefined symbol") != std::string::npos;
+                                 line.find("undefined symbol") != std::string::npos ||
+                                 line.find("ld: cannot find") != std::string::npos;
         if (from_linker && linker.empty()) linker = line;
         if (!line.empty() && !line.starts_with("ninja: build stopped")) last = line;
     }

@@ -11,6 +11,7 @@
 #include "common/scene/parse.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <set>
@@ -122,6 +123,16 @@ void show_picture(const Project& project, const std::vector<const Chapter*>& min
                100 * comparison.within16[static_cast<std::size_t>(gate_steps)], relative(project, reference));
 }
 
+/// First what was asked for; if that has all passed, whatever comes next in the course.
+std::string next_after(const Project& project, const std::vector<Chapter>& chapters, const Request& request,
+                       const std::vector<ChapterResult>& results) {
+    for (std::size_t i = 0; i < results.size(); ++i)
+        if (!all_passed(results[i])) return next_action(*request.chapters[i], results[i]);
+    std::vector<KnownResult> known;
+    for (const Chapter& chapter : chapters) known.push_back(known_result(project, chapter));
+    return next_action(project, chapters, known);
+}
+
 }  // namespace
 
 int run_check(const CheckCommand& command) {
@@ -157,9 +168,7 @@ int run_check(const CheckCommand& command) {
         }
         show_picture(project, mine, *request.chapters.front());
     }
-    std::vector<KnownResult> known;
-    for (const Chapter& chapter : chapters) known.push_back(known_result(project, chapter));
-    fmt::print("\n{} {}\n", paint("Next:", Tone::Bold), next_action(project, chapters, known));
+    fmt::print("\n{} {}\n", paint("Next:", Tone::Bold), next_after(project, chapters, request, results));
     return good ? 0 : 1;
 }
 

@@ -50,8 +50,8 @@ struct Finding {
     State pov = State::Same;
     State picture = State::Same;
     std::size_t changed_pixels = 0;
-    Real greatest = 0;    ///< steps of 1/65535
-    double seconds = 0;   ///< that POV-Ray took
+    Real greatest = 0;         ///< steps of 1/65535
+    double seconds = 0;        ///< that POV-Ray took
     std::string problem = {};  ///< why the scene could not be checked
 
     bool is_same() const { return pov == State::Same && picture == State::Same && problem.empty(); }

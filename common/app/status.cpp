@@ -4,6 +4,7 @@
 #include "common/app/verdict.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace rt {
 

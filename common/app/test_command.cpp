@@ -3,6 +3,7 @@
 #include "common/app/commands.hpp"
 #include "common/app/console.hpp"
 #include "common/app/drift.hpp"
+#include "common/app/exercise.hpp"
 #include "common/app/mistake.hpp"
 #include "common/app/process.hpp"
 #include "common/math/input_error.hpp"
@@ -49,8 +50,11 @@ Part timed(const std::string& name, bool quiet, Fill fill) {
     }
     part.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!quiet) {
-        for (const std::string& problem : part.problems)
-            fmt::print("  {} {}\n", paint("✗", Tone::Bad), problem);
+        for (const std::string& problem : part.problems) {
+            const std::vector<std::string> lines = split_lines(problem);
+            for (std::size_t i = 0; i < lines.size(); ++i)
+                fmt::print("  {} {}\n", i == 0 ? paint("✗", Tone::Bad) : "   ", lines[i]);
+        }
         fmt::print("{:<28} {:>6} passed {:>4} failed  {:>10}\n", part.name, part.passed, part.failed,
                    duration(part.seconds));
         std::fflush(stdout);
@@ -76,7 +80,7 @@ void run_program(const Project& project, const std::string& name, bool quick, Pa
     const TestOutcome outcome = run_tests(project, name, "", quick, program_seconds);
     for (const TestRun& test : outcome.report.ended) {
         const std::string why = test.state == State::Todo ? "waits for step " + test.missing : test.message;
-        part.expect(test.state == State::Passed, test.name + "\n    " + why);
+        part.expect(test.state == State::Passed, test.name + "\n" + why);
     }
     if (!outcome.death.empty())
         part.expect(false, fmt::format("{} {} in \"{}\"", name, outcome.death,

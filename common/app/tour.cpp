@@ -142,8 +142,9 @@ std::string time_text(const Stop& stop) {
     return stop.width == 0 ? "–" : fmt::format("{:.1f}", stop.seconds * 1e3);
 }
 std::string rate_text(const Stop& stop) {
-    return stop.rays == 0 ? "–"
-                          : fmt::format("{:.2f} M", static_cast<double>(stop.rays) / stop.seconds * 1e-6);
+    if (stop.rays == 0) return "–";
+    const double rate = static_cast<double>(stop.rays) / stop.seconds;
+    return rate < 1e5 ? fmt::format("{:.2f} k", rate * 1e-3) : fmt::format("{:.2f} M", rate * 1e-6);
 }
 std::string greatest_text(const Stop& stop) {
     return stop.verdict ? fmt::format("{:.1f}", stop.verdict->greatest) : "–";

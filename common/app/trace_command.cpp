@@ -5,6 +5,7 @@
 #include "common/app/commands.hpp"
 #include "common/app/console.hpp"
 #include "common/app/process.hpp"
+#include "common/app/trace.hpp"
 #include "common/math/input_error.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/shade.hpp"
@@ -12,7 +13,6 @@
 #include "common/scene/parse.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -172,18 +172,15 @@ std::string step_of_light(const std::string& quantity) {
     return quantity == "contribution" ? "05.5" : "05.1";
 }
 
-struct Difference {
-    std::size_t ray = 0;
-    std::string quantity, mine, theirs, step;
-};
-
 std::string text(const ordered_json& value) {
     return value.is_array() && value.size() == 3 ? triple(value)
            : value.is_number_float()             ? number(value)
                                                  : value.dump();
 }
 
-std::optional<Difference> first_difference(const ordered_json& mine, const ordered_json& theirs) {
+}  // namespace
+
+std::optional<TraceDifference> first_difference(const ordered_json& mine, const ordered_json& theirs) {
     const ordered_json &a = mine["rays"], &b = theirs["rays"];
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
         for (const char* quantity : {"kind", "parent", "origin", "direction", "weight", "hit", "primitive",
@@ -192,30 +189,32 @@ std::optional<Difference> first_difference(const ordered_json& mine, const order
                                q = b[i].value(quantity, ordered_json());
             if (same(p, q)) continue;
             const ordered_json& known = b[i]["hit"].get<bool>() ? b[i] : a[i];
-            return Difference{i, quantity, text(p), text(q), step_of(quantity, known)};
+            return TraceDifference{i, quantity, text(p), text(q), step_of(quantity, known)};
         }
         const ordered_json lights = a[i].value("lights", ordered_json::array());
         const ordered_json other = b[i].value("lights", ordered_json::array());
         for (std::size_t k = 0; k < std::min(lights.size(), other.size()); ++k)
             for (const char* quantity : {"direction", "distance", "color", "visible", "contribution"})
                 if (!same(lights[k][quantity], other[k][quantity]))
-                    return Difference{i, fmt::format("light {}: {}", k + 1, quantity),
-                                      text(lights[k][quantity]), text(other[k][quantity]),
-                                      step_of_light(quantity)};
+                    return TraceDifference{i, fmt::format("light {}: {}", k + 1, quantity),
+                                           text(lights[k][quantity]), text(other[k][quantity]),
+                                           step_of_light(quantity)};
         if (lights.size() != other.size())
-            return Difference{i, "number of lights in front of the surface", std::to_string(lights.size()),
-                              std::to_string(other.size()), "05.1"};
+            return TraceDifference{i, "number of lights in front of the surface",
+                                   std::to_string(lights.size()), std::to_string(other.size()), "05.1"};
         if (!same(a[i]["local"], b[i]["local"]))
-            return Difference{i, "radiance", text(a[i]["local"]), text(b[i]["local"]), "05.5"};
+            return TraceDifference{i, "radiance", text(a[i]["local"]), text(b[i]["local"]), "05.5"};
     }
     if (a.size() != b.size())
-        return Difference{std::min(a.size(), b.size()), "number of rays", std::to_string(a.size()),
-                          std::to_string(b.size()), "07.5"};
+        return TraceDifference{std::min(a.size(), b.size()), "number of rays", std::to_string(a.size()),
+                               std::to_string(b.size()), "07.5"};
     if (!same(mine["color"], theirs["color"]))
-        return Difference{0, "colour of the pixel", text(mine["color"]), text(theirs["color"]),
-                          a.size() > 1 ? "07.6" : "01.6"};
+        return TraceDifference{0, "colour of the pixel", text(mine["color"]), text(theirs["color"]),
+                               a.size() > 1 ? "07.6" : "01.6"};
     return std::nullopt;
 }
+
+namespace {
 
 /// The tree that the student's chapters make of the same pixel, from a process of their own.
 ordered_json student_trace(const Project& project, const TraceCommand& command) {
@@ -242,7 +241,7 @@ ordered_json student_trace(const Project& project, const TraceCommand& command) 
 int run_against(const TraceCommand& command) {
     const ordered_json theirs = trace_json(command);
     const ordered_json mine = student_trace(this_project(), command);
-    const std::optional<Difference> difference = first_difference(mine, theirs);
+    const std::optional<TraceDifference> difference = first_difference(mine, theirs);
     if (command.json) {
         ordered_json object = {{"same", !difference}, {"mine", mine}, {"solution", theirs}};
         if (difference)

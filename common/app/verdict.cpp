@@ -5,6 +5,7 @@
 #include "common/app/exercise.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace rt {
 
@@ -15,25 +16,6 @@ constexpr std::size_t most_detail_lines = 14;
 
 std::string file_of(const Chapter& chapter, const std::string& step) {
     return fmt::format("chapters/{}/{}", chapter.name, step_of(chapter, step).file);
-}
-
-/// What to do in a chapter that is not finished.
-std::string next_in_chapter(const Chapter& chapter, const ChapterResult& result) {
-    const std::string check = "./course check " + chapter.number;
-    if (!result.build_error.empty()) return "mend the compile error, then " + check;
-    for (const StepResult& step : result.steps)
-        if (step.state == State::Failed)
-            return fmt::format("mend step {} in {}, then {}   (stuck? ./course hint {})", step.id,
-                               file_of(chapter, step.id), check, step.id);
-    for (std::size_t i = 0; i < result.steps.size(); ++i) {
-        const StepResult& step = result.steps[i];
-        // What only waits for another step may be finished already.
-        if (step.state != State::Todo || step.message.starts_with("waits for")) continue;
-        const std::string lesson = i == 0 ? fmt::format("read chapters/{}/README.md and ", chapter.name) : "";
-        return fmt::format("{}write step {} in {}, then {}   (stuck? ./course hint {})", lesson, step.id,
-                           file_of(chapter, step.id), check, step.id);
-    }
-    return check;
 }
 
 }  // namespace
@@ -60,12 +42,30 @@ std::string details(const StepResult& result) {
     return text;
 }
 
+std::string next_action(const Chapter& chapter, const ChapterResult& result) {
+    const std::string check = "./course check " + chapter.number;
+    if (!result.build_error.empty()) return "mend the compile error, then " + check;
+    for (const StepResult& step : result.steps)
+        if (step.state == State::Failed)
+            return fmt::format("mend step {} in {}, then {}   (stuck? ./course hint {})", step.id,
+                               file_of(chapter, step.id), check, step.id);
+    for (std::size_t i = 0; i < result.steps.size(); ++i) {
+        const StepResult& step = result.steps[i];
+        // What only waits for another step may be finished already.
+        if (step.state != State::Todo || step.message.starts_with("waits for")) continue;
+        const std::string lesson = i == 0 ? fmt::format("read chapters/{}/README.md and ", chapter.name) : "";
+        return fmt::format("{}write step {} in {}, then {}   (stuck? ./course hint {})", lesson, step.id,
+                           file_of(chapter, step.id), check, step.id);
+    }
+    return check;
+}
+
 std::string next_action(const Project& project, const std::vector<Chapter>& chapters,
                         const std::vector<KnownResult>& results) {
     for (std::size_t i = 0; i < chapters.size(); ++i) {
         if (all_passed(results[i].result) && results[i].current) continue;
         if (!results[i].current) return fmt::format("./course check {}", chapters[i].number);
-        return next_in_chapter(chapters[i], results[i].result);
+        return next_action(chapters[i], results[i].result);
     }
     const bool solutions = std::filesystem::exists(project.root / "solutions");
     return solutions

@@ -3,7 +3,7 @@
 
 #include "common/app/results.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>
@@ -20,6 +20,9 @@ std::string details(const StepResult& result);
 /// chapters', in the catalogue's order.
 std::string next_action(const Project& project, const std::vector<Chapter>& chapters,
                         const std::vector<KnownResult>& results);
+
+/// What to do next in a chapter that is not finished.
+std::string next_action(const Chapter& chapter, const ChapterResult& result);
 
 /// {"chapters":[{"id","title","steps":[{"id","title","points","state","message"}]}]}: the results
 /// may be of some chapters, and of some of their steps.

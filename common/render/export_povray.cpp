@@ -358,38 +358,8 @@ Mat4 matrix_of(const Scene& scene, int node) {
     return m;
 }
 
-/// How many objects show the same mesh.
-std::ptrdiff_t uses_of(const Scene& scene, std::uint32_t mesh) {
-    return std::ranges::count_if(scene.objects, [&](const Object& object) {
-        const auto* shown = std::get_if<MeshObject>(&object.shape);
-        return shown && shown->mesh == mesh;
-    });
-}
-
-/// Whether an object is written in world space, without a matrix. We transform the normals at the corners
-/// of what stands in one place only and then interpolate; POV-Ray interpolates first, which differs where
-/// a transform stretches.
-bool is_baked(const Scene& scene, const Object& object) {
-    if (object.transform < 0) return false;
-    if (const auto* triangle = std::get_if<TriangleObject>(&object.shape)) return triangle->smooth;
-    const auto* mesh = std::get_if<MeshObject>(&object.shape);
-    return mesh && !scene.meshes[mesh->mesh].normals.empty() && uses_of(scene, mesh->mesh) == 1;
-}
-
-/// The map into the space that an object is written in: to world space where it is baked, else none.
-struct Bake {
-    Mat4 point{1};
-    Mat3 normal{1};  ///< inverse transpose
-};
-
-Bake bake_of(const Scene& scene, const Object& object) {
-    if (!is_baked(scene, object)) return {};
-    const Mat4 m = matrix_of(scene, object.transform);
-    return {m, glm::transpose(glm::inverse(Mat3(m)))};
-}
-
 std::string transform_of(const Scene& scene, const Object& object) {
-    if (object.transform < 0 || is_baked(scene, object)) return "";
+    if (object.transform < 0) return "";
     const Mat4 m = matrix_of(scene, object.transform);
     std::string text = " matrix <";
     for (int column = 0; column < 4; ++column)
@@ -412,15 +382,14 @@ bool has_triangles(const Object& object) {
 }
 
 /// Only meshes have texture coordinates in POV-Ray, so for those a triangle becomes a mesh of one.
-std::string shape_text(const Scene& scene, const Object& object, const TriangleObject& triangle) {
-    const Bake bake = bake_of(scene, object);
+std::string shape_text(const Scene& scene, const Object&, const TriangleObject& triangle) {
     const bool uv = scene.integrator == Integrator::Uv;
     std::string text = fmt::format("{}{}triangle {{ ", uv ? "mesh { " : "", triangle.smooth ? "smooth_" : "");
     for (std::size_t i = 0; i < 3; ++i) {
         if (i > 0) text += ", ";
         if (triangle.smooth) {
             const SmoothVertex& v = scene.smooth_vertices[triangle.vertex[i]];
-            text += triple(Vec3(bake.point * Vec4(v.position, 1))) + ", " + triple(bake.normal * v.normal);
+            text += triple(v.position) + ", " + triple(v.normal);
         } else {
             text += triple(scene.vertices[triangle.vertex[i]]);
         }
@@ -472,7 +441,7 @@ std::vector<std::array<std::size_t, 3>> indices_of(const Mesh& mesh, std::int32_
     return indices;
 }
 
-void write_mesh(Writer& out, const Mesh& mesh, const Bake& bake, std::size_t index) {
+void write_mesh(Writer& out, const Mesh& mesh, std::size_t index) {
     const auto index_text = [](const auto& face) {
         return fmt::format("<{}, {}, {}>", face[0], face[1], face[2]);
     };
@@ -485,9 +454,6 @@ void write_mesh(Writer& out, const Mesh& mesh, const Bake& bake, std::size_t ind
             const Vec3 n = face_normal(mesh, face);
             return std::array{n, n, n};
         });
-    for (Vec3& n : normals) n = bake.normal * n;
-    std::vector<Vec3> positions = mesh.positions;
-    for (Vec3& p : positions) p = Vec3(bake.point * Vec4(p, 1));
     if (uv)
         uv_indices = indices_of(mesh, &Mesh::Corner::uv, uvs, [](const auto&) {
             return std::array{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};
@@ -495,7 +461,7 @@ void write_mesh(Writer& out, const Mesh& mesh, const Bake& bake, std::size_t ind
 
     out.line("#declare Mesh{} = mesh2 {{  // {}", index,
              std::filesystem::path(mesh.file).filename().string());
-    write_list(out, "vertex_vectors", positions, triple);
+    write_list(out, "vertex_vectors", mesh.positions, triple);
     if (!normals.empty()) write_list(out, "normal_vectors", normals, triple);
     if (uv)
         write_list(out, "uv_vectors", uvs,
@@ -576,7 +542,7 @@ void write_objects(Writer& out) {
         const auto* shown = std::get_if<MeshObject>(&object.shape);
         if (!shown || written[shown->mesh]) continue;
         written[shown->mesh] = true;
-        write_mesh(out, out.scene.meshes[shown->mesh], bake_of(out.scene, object), shown->mesh);
+        write_mesh(out, out.scene.meshes[shown->mesh], shown->mesh);
     }
     for (const Object& object : out.scene.objects) write_object(out, object);
 }

@@ -1,5 +1,5 @@
 // A scene in POV-Ray's language: every statement means the same there as here, to rounding.
-// The mappings were measured with POV-Ray 3.7.0; references/README.md tells how to render what this writes.
+// The mappings were measured with POV-Ray 3.7.0; the first lines of what this writes say how to render it.
 #pragma once
 
 #include "common/scene/scene.hpp"

@@ -196,8 +196,8 @@ Image rasterize(const World& world, HitColor color) {
     std::size_t i = 0;
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x, ++i) {
-            pixel(image, x, y) = hits[i] ? color(world, pixel_ray(world.view, x + 0.5, y + 0.5), *hits[i])
-                                         : world.background;
+            pixel(image, x, y) =
+                hits[i] ? color(world, pixel_ray(world.view, x + 0.5, y + 0.5), *hits[i]) : world.background;
         }
     }
     return image;

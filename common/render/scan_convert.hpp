@@ -11,8 +11,8 @@
 namespace rt {
 
 /// For each pixel, row by row from the top left, the nearest triangle at its centre: what closest_hit says of
-/// pixel_ray through (x + ½, y + ½) in (0, ∞], up to rounding. So `Hit::t` is in world units, `Hit::primitive`
-/// is the order in the file, and equally near triangles are decided by it.
+/// pixel_ray through (x + ½, y + ½) in (0, ∞], up to rounding. So `Hit::t` is in world units,
+/// `Hit::primitive` is the order in the file, and equally near triangles are decided by it.
 ///
 /// Edge functions and depth are linear in homogeneous picture coordinates, so that triangles that reach
 /// behind the eye need no clipping (Olano & Greer 1997). A triangle seen edge-on, or without area, is not

@@ -27,7 +27,9 @@ struct Instance {
     std::uint32_t mesh = 0;
 };
 
-/// The normals of a smooth triangle at its corners a, b, c; of any length but 0.
+/// The normals of a smooth triangle at its corners a, b, c: unit vectors in the space of the file, then
+/// mapped to the triangle's. Those of a stretched triangle are no unit vectors, so that they weigh as in the
+/// file.
 struct TriangleNormals {
     Vec3 a{0};
     Vec3 b{0};

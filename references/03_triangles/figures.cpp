@@ -48,8 +48,9 @@ Svg inside_tests() {
     Svg svg{.width = 720, .height = 300, .body = {}};
 
     panel_title(svg, 120, "crossings", "5 crossings: odd, inside");
-    const std::array<Vec2, 9> outline = {Vec2(20, 70),   Vec2(225, 50),  Vec2(225, 240), Vec2(185, 130), Vec2(150, 235),
-                                         Vec2(118, 100), Vec2(105, 245), Vec2(25, 245),  Vec2(50, 160)};
+    const std::array<Vec2, 9> outline = {Vec2(20, 70),   Vec2(225, 50),  Vec2(225, 240),
+                                         Vec2(185, 130), Vec2(150, 235), Vec2(118, 100),
+                                         Vec2(105, 245), Vec2(25, 245),  Vec2(50, 160)};
     polygon(svg, outline, {.stroke = svg_color::ink, .width = 2, .fill = "#eef3f7"});
     const Vec2 p(70, 180);
     arrow(svg, p, {240, 180}, {.stroke = svg_color::blue, .width = 2});
@@ -66,7 +67,8 @@ Svg inside_tests() {
     const Vec2 q(355, 175);
     const std::array<const char*, 3> fills = {"#bfdcee", "#f6dfb3", "#bfe6da"};
     for (std::size_t i = 0; i < 3; ++i)
-        polygon(svg, Corners{t[(i + 1) % 3], t[(i + 2) % 3], q}, {.stroke = svg_color::grey, .width = 1, .fill = fills[i]});
+        polygon(svg, Corners{t[(i + 1) % 3], t[(i + 2) % 3], q},
+                {.stroke = svg_color::grey, .width = 1, .fill = fills[i]});
     polygon(svg, t, {.stroke = svg_color::ink, .width = 2});
     dot_at(svg, q, svg_color::blue);
     text(svg, t[0] + Vec2(-14, 10), "a", italic);
@@ -88,7 +90,8 @@ Svg inside_tests() {
         const Real from = angle(s[i]);
         Real to = angle(s[(i + 1) % 3]);
         if (to < from) to += 2 * pi;
-        arc(svg, ray, 30.0 + 5 * static_cast<Real>(i), from + 0.12, to - 0.12, {.stroke = svg_color::green, .width = 2.5});
+        arc(svg, ray, 30.0 + 5 * static_cast<Real>(i), from + 0.12, to - 0.12,
+            {.stroke = svg_color::green, .width = 2.5});
     }
     dot_at(svg, ray, svg_color::blue);
     text(svg, s[0] + Vec2(-14, 10), "a", italic);
@@ -137,7 +140,8 @@ using Test = std::optional<Hit> (*)(const Triangle&, const Ray&, Interval);
 /// Two triangles with a common edge, through a microscope: one pixel across is less than the spacing of the
 /// numbers that the rays are made of. Blue and orange: one triangle hit; purple: both; white: a leak.
 Image leak(const std::vector<Test>& tests) {
-    const Vec3 a(-0.71, -0.33, 0.2), b(0.82, 0.57, -0.4), c(-0.4, 0.9, 0.1), d(0.6, -0.8, 0.3), eye(0.3, 0.2, 3);
+    const Vec3 a(-0.71, -0.33, 0.2), b(0.82, 0.57, -0.4), c(-0.4, 0.9, 0.1), d(0.6, -0.8, 0.3),
+        eye(0.3, 0.2, 3);
     const Triangle upper{a, b, c}, lower{b, a, d};
     const int width = 113, height = 40, gap = 4, zoom = 3;  // samples, each a square of zoom × zoom pixels
     const int panels = static_cast<int>(tests.size());
@@ -159,7 +163,8 @@ Image leak(const std::vector<Test>& tests) {
     return image;
 }
 
-/// How many of `count` rays from inside of a closed mesh escape. Each is aimed at an edge from a point nearby.
+/// How many of `count` rays from inside of a closed mesh escape. Each is aimed at an edge from a point
+/// nearby.
 int escaped(Test test, const Mesh& mesh, const std::vector<Triangle>& triangles, int count) {
     int lost = 0;
     for (int i = 0; i < count; ++i) {
@@ -186,8 +191,8 @@ std::vector<Triangle> triangles_of(const Mesh& mesh) {
 
 // ----------------------------------------------------------------------------------------- mistakes
 
-/// A knot by a ray caster that makes a mistake: `accept` says which hits count, `nearer` whether a new hit takes
-/// the place of the one before it, `weigh` the weights at which normals are interpolated.
+/// A knot by a ray caster that makes a mistake: `accept` says which hits count, `nearer` whether a new hit
+/// takes the place of the one before it, `weigh` the weights at which normals are interpolated.
 struct Mistaken {
     bool (*accept)(const Vec3& flat_normal, const Ray& ray);
     bool (*nearer)(const Hit& hit, const Hit& before);
@@ -196,12 +201,15 @@ struct Mistaken {
 
 /// A row of pictures, one a mistake, on white.
 Image row_of_mistakes(const std::vector<Mistaken>& mistakes) {
-    const int width = 168, height = 160, gap = 8;
+    const int width = 116, height = 110, gap = 6;
     const Mesh mesh = knot(60, 10);
     const std::vector<Triangle> triangles = triangles_of(mesh);
     const Camera camera{.eye = {1.5, -4.5, 8.5}, .look_at = {0, -0.1, 0}, .up = {0, 1, 0}};
-    const View view{.frame = camera_frame(camera), .eye = camera.eye, .half_height = std::tan(radians(21)),
-                    .width = width, .height = height};
+    const View view{.frame = camera_frame(camera),
+                    .eye = camera.eye,
+                    .half_height = std::tan(radians(21)),
+                    .width = width,
+                    .height = height};
     Image image = make_image(static_cast<int>(mistakes.size()) * (width + gap) - gap, height);
     for (Vec3& p : image.pixels) p = Vec3(1);
     for (std::size_t m = 0; m < mistakes.size(); ++m)
@@ -220,7 +228,8 @@ Image row_of_mistakes(const std::vector<Mistaken>& mistakes) {
                 p = Vec3(0.02, 0.02, 0.03);
                 if (!best) continue;
                 const auto normal = [&](std::size_t corner) {
-                    return mesh.normals[static_cast<std::size_t>(mesh.triangles[best->primitive][corner].normal)];
+                    return mesh
+                        .normals[static_cast<std::size_t>(mesh.triangles[best->primitive][corner].normal)];
                 };
                 const Vec3 n = interpolate(TriangleNormals{normal(0), normal(1), normal(2)},
                                            mistakes[m].weigh(best->uv), Vec3(0, 0, 1));
@@ -270,7 +279,8 @@ World world_of(int along, int around, int width, int height) {
         scene.objects.push_back({.shape = MeshObject{0}, .place = {}});
     } else {
         for (int i = 0; i < 6; ++i)
-            scene.objects.push_back({.shape = Sphere{{std::cos(i * pi / 3) * 2, std::sin(i * pi / 3) * 2, 0}, 0.9}, .place = {}});
+            scene.objects.push_back(
+                {.shape = Sphere{{std::cos(i * pi / 3) * 2, std::sin(i * pi / 3) * 2, 0}, 0.9}, .place = {}});
     }
     return compile(scene);
 }
@@ -298,7 +308,9 @@ std::string scan_conversion() {
             for (const Ray& ray : rays_of(world)) seen += closest_hit(world, ray, {0, infinity}).has_value();
         });
         const double scanned = median_seconds(9, [&] { seen += scan_convert(world).size(); });
-        if (seen > 0) csv += fmt::format("{},{},{},{:.2f},{:.2f}\n", 2 * along * around, width, height, 1e3 * cast, 1e3 * scanned);
+        if (seen > 0)
+            csv += fmt::format("{},{},{},{:.2f},{:.2f}\n", 2 * along * around, width, height, 1e3 * cast,
+                               1e3 * scanned);
     }
     return csv;
 }
@@ -310,7 +322,8 @@ std::string profile() {
         const char* name;
         int along, around;
     };
-    for (const auto& [name, along, around] : {Row{"6 spheres", 0, 0}, Row{"knot", 15, 10}, Row{"knot", 60, 10}, Row{"knot", 200, 20}}) {
+    for (const auto& [name, along, around] :
+         {Row{"6 spheres", 0, 0}, Row{"knot", 15, 10}, Row{"knot", 60, 10}, Row{"knot", 200, 20}}) {
         const World world = world_of(along, around, 160, 120);
         std::vector<Ray> rays;
         std::vector<std::optional<Hit>> hits(static_cast<std::size_t>(160 * 120));
@@ -318,7 +331,8 @@ std::string profile() {
         const int repeats = along * around > 1000 ? 1 : 9;
         const double camera = median_seconds(9, [&] { rays = rays_of(world); });
         const double intersections = median_seconds(repeats, [&] {
-            for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = closest_hit(world, rays[i], {0, infinity});
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                hits[i] = closest_hit(world, rays[i], {0, infinity});
         });
         const double shading = median_seconds(9, [&] {
             for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -329,8 +343,9 @@ std::string profile() {
         });
         const double total = camera + intersections + shading;
         if (sum.x > 0)
-            csv += fmt::format("{},{},{:.2f},{:.2f},{:.2f},{:.2f}\n", name, world.primitives.size(), 100 * camera / total,
-                               100 * intersections / total, 100 * shading / total, 1e3 * total);
+            csv += fmt::format("{},{},{:.2f},{:.2f},{:.2f},{:.2f}\n", name, world.primitives.size(),
+                               100 * camera / total, 100 * intersections / total, 100 * shading / total,
+                               1e3 * total);
     }
     return csv;
 }

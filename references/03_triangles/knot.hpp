@@ -1,4 +1,5 @@
-// A trefoil knot, cut into as many triangles as one likes: the mesh of this chapter's pictures and measurements.
+// A trefoil knot, cut into as many triangles as one likes: the mesh of this chapter's pictures and
+// measurements.
 #pragma once
 
 #include "common/scene/shapes.hpp"
@@ -17,7 +18,8 @@ inline Mesh knot(int along, int around) {
         const Real r = hole + ring * std::cos(b);
         const Vec3 center(r * std::cos(a), r * std::sin(a), -ring * std::sin(b));
         const Vec3 tangent(-3 * ring * std::sin(b) * std::cos(a) - 2 * r * std::sin(a),
-                           -3 * ring * std::sin(b) * std::sin(a) + 2 * r * std::cos(a), -3 * ring * std::cos(b));
+                           -3 * ring * std::sin(b) * std::sin(a) + 2 * r * std::cos(a),
+                           -3 * ring * std::cos(b));
         // The torus's normal is perpendicular to the knot: counting the turn around the tube from there, the
         // tube closes on itself.
         const Vec3 out(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), -std::sin(b));

@@ -24,14 +24,16 @@ std::string line(std::string_view word, const Vec3& v) {
 }
 
 std::string to_obj(const Mesh& mesh, bool smooth) {
-    std::string obj = fmt::format("# Trefoil knot of {} triangles, made by make_mesh\n", mesh.triangles.size());
+    std::string obj =
+        fmt::format("# Trefoil knot of {} triangles, made by make_mesh\n", mesh.triangles.size());
     for (const Vec3& position : mesh.positions) obj += line("v", position);
     if (smooth)
         for (const Vec3& normal : mesh.normals) obj += line("vn", normal);
     for (const auto& corners : mesh.triangles) {
         obj += "f";
         for (const Mesh::Corner& corner : corners)
-            obj += smooth ? fmt::format(" {0}//{0}", corner.position + 1) : fmt::format(" {}", corner.position + 1);
+            obj += smooth ? fmt::format(" {0}//{0}", corner.position + 1)
+                          : fmt::format(" {}", corner.position + 1);
         obj += "\n";
     }
     return obj;
@@ -50,7 +52,8 @@ int main(int argc, char** argv) {
     const std::string_view kind = argc == 5 ? argv[1] : "";
     const int along = argc == 5 ? number(argv[2]) : 0, around = argc == 5 ? number(argv[3]) : 0;
     if ((kind != "flat" && kind != "smooth") || along < 3 || around < 3 || along > 5000 || around > 5000) {
-        std::fputs("usage: make_mesh flat|smooth ALONG AROUND FILE.obj (ALONG and AROUND from 3 to 5000)\n", stderr);
+        std::fputs("usage: make_mesh flat|smooth ALONG AROUND FILE.obj (ALONG and AROUND from 3 to 5000)\n",
+                   stderr);
         return 2;
     }
     try {

@@ -45,8 +45,9 @@ Surface surface_at(const Sphere& sphere, const Ray& ray, const Hit& hit) {
     surface.point = sphere.center + sphere.radius * n;
     // [/exercise]
 
-    // How far rounding has moved the point from the sphere, an axis at a time; chapter 6 derives it.
-    surface.error = gamma(6) * abs(sphere.radius * surface.normal) + gamma(2) * abs(surface.point);
+    // How far rounding has moved the point from the sphere, an axis at a time, and what the next ray, which
+    // starts here, may get wrong about its distance from the sphere; chapter 6 derives it.
+    surface.error = gamma(10) * abs(sphere.radius * surface.normal) + gamma(2) * abs(surface.point);
     return surface;
 }
 

@@ -43,8 +43,8 @@ Vec2 project(const Vec3& point, int axis) {
 bool point_in_polygon(std::span<const Vec2> polygon, const Vec2& point) {
     // [exercise 03.2] Count the edges that the half-line from the point along +x crosses; odd is inside.
     // An edge counts where its lower end is at most as high as the point and its upper end is higher; that
-    // way each vertex belongs to one end of the half-line only. Compute on which side of the edge the point is
-    // from the lower to the upper end, so that the two polygons that share the edge get the same answer.
+    // way each vertex belongs to one end of the half-line only. Compute on which side of the edge the point
+    // is from the lower to the upper end, so that the two polygons that share the edge get the same answer.
     bool inside = false;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         Vec2 low = polygon[i];

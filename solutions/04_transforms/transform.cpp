@@ -1,6 +1,7 @@
 // Affine maps: matrices, their stack, their inverse, and what they do to points, vectors, normals and rays.
 #include "chapters/04_transforms/transform.hpp"
 
+#include "chapters/03_triangles/triangle.hpp"
 #include "common/math/error.hpp"
 
 #include <algorithm>
@@ -28,16 +29,17 @@ Mat4 scaling(const Vec3& by) {
 }
 
 Mat4 rotation(const Vec3& axis, Real angle) {
-    // [exercise 04.2] Rodrigues: with the unit axis k, c = cos(angle) and s = sin(angle), the matrix is
-    // c·I + (1 − c)·k·kᵀ + s·[k]×, where [k]× is the matrix with [k]× v = k × v. The axis may be tiny or
-    // huge: divide by its greatest coordinate before you make it a unit vector.
-    const Vec3 size = glm::abs(axis);
-    const Vec3 k = normalize(axis / std::max({size.x, size.y, size.z}));
+    // [exercise 04.2] Column i is the image of the i-th axis e. Rodrigues: with the unit axis k, a vector v turns
+    // into cos·v + (1 − cos)·(k·v)·k + sin·(k × v); for v = e, k·v is k[i]. The axis may be tiny or huge: unit_vector
+    // of chapter 3 brings it to length 1 without overflow.
+    const Vec3 k = unit_vector(axis);
     const Real c = std::cos(angle), s = std::sin(angle);
     Mat4 m(1);
-    m[0] = Vec4(c + (1 - c) * k.x * k.x, (1 - c) * k.y * k.x + s * k.z, (1 - c) * k.z * k.x - s * k.y, 0);
-    m[1] = Vec4((1 - c) * k.x * k.y - s * k.z, c + (1 - c) * k.y * k.y, (1 - c) * k.z * k.y + s * k.x, 0);
-    m[2] = Vec4((1 - c) * k.x * k.z + s * k.y, (1 - c) * k.y * k.z - s * k.x, c + (1 - c) * k.z * k.z, 0);
+    for (int i = 0; i < 3; ++i) {
+        Vec3 e(0);
+        e[i] = 1;
+        m[i] = Vec4(c * e + (1 - c) * (k[i] * k) + s * cross(k, e), 0);
+    }
     return m;
     // [/exercise]
 }
@@ -61,20 +63,66 @@ std::vector<Mat4> compose(std::span<const TransformNode> nodes) {
     // [/exercise]
 }
 
-std::optional<Mat4> inverse(const Mat4& m) {
-    // [exercise 04.4] Gauss–Jordan elimination on the linear part (the upper left 3×3), applied to the
-    // identity at the same time. Before you start, divide each row by its greatest |element|, and choose
-    // as pivot the greatest |element| left in the column. No pivot means singular: return nothing. The
-    // translation of the inverse is −L⁻¹·t. Return nothing as well if any number is not finite.
-    Real a[3][6];
+namespace {
+
+/// The element of I − M·X in the given row and column of the linear parts, computed with twice the digits
+/// (Ogita, Rump & Oishi 2005): what is left of 1 − 1 is not rounding error.
+Real missing(const Mat4& m, const Mat4& x, int row, int column) {
+    Real sum = row == column ? 1 : 0, lost = 0;
+    for (int k = 0; k < 3; ++k) {
+        const Real product = -m[k][row] * x[column][k];
+        const Real next = sum + product, added = next - sum;
+        lost += std::fma(-m[k][row], x[column][k], -product) + ((product - added) + (sum - (next - added)));
+        sum = next;
+    }
+    return sum + lost;
+}
+
+/// The inverse of `m` from a rough one, linear parts only, or nothing if `rough` is not rough but wrong.
+/// Newton's step X + X·(I − M·X) squares what is missing (Schulz 1933), so six of them make the last bits
+/// right. That ‖I − M·X‖ is less than 1 in the end proves that M is not singular.
+std::optional<Mat4> refined(const Mat4& m, const Mat4& rough) {
+    Mat4 x = rough;
+    for (int step = 0; step < 6; ++step) {
+        Mat3 rest;
+        for (int c = 0; c < 3; ++c)
+            for (int r = 0; r < 3; ++r) rest[c][r] = missing(m, x, r, c);
+        const Mat3 more = Mat3(x) * rest;
+        for (int c = 0; c < 3; ++c) x[c] += Vec4(more[c], 0);
+    }
     for (int r = 0; r < 3; ++r) {
-        Real greatest = 0;
-        for (int c = 0; c < 3; ++c) greatest = std::max(greatest, std::abs(m[c][r]));
+        Real row_sum = 0;
+        for (int c = 0; c < 3; ++c) row_sum += std::abs(missing(m, x, r, c));
+        // A NaN fails this too.
+        if (!(row_sum < 0.5)) return std::nullopt;
+    }
+    return x;
+}
+
+}  // namespace
+
+std::optional<Mat4> inverse(const Mat4& m) {
+    // Rows are scaled by powers of two, which rounds nothing, so that the greatest element of each is in [1, 2):
+    // then a matrix of millimetres is as good as one of light years.
+    Mat4 scaled(1);
+    Vec3 factor(1);
+    for (int r = 0; r < 3; ++r) {
+        const Real greatest = std::max({std::abs(m[0][r]), std::abs(m[1][r]), std::abs(m[2][r])});
         if (!(greatest > 0) || !std::isfinite(greatest)) return std::nullopt;
-        for (int c = 0; c < 3; ++c) {
-            a[r][c] = m[c][r] / greatest;
-            a[r][3 + c] = r == c ? 1 / greatest : 0;
-        }
+        factor[r] = std::ldexp(Real(1), -std::ilogb(greatest));
+        for (int c = 0; c < 3; ++c) scaled[c][r] = m[c][r] * factor[r];
+    }
+
+    Mat4 rough(1);
+    // [exercise 04.4] Put the inverse of the upper left 3×3 of `scaled` into that of `rough`, by Gauss–Jordan
+    // elimination: write the identity beside the matrix; column by column choose the pivot, the greatest
+    // |element| that is left in the column, and swap its row into place; divide that row by the pivot; subtract
+    // multiples of it from the other rows, so that the column becomes one of the identity. Where the pivot is 0
+    // the matrix is singular: return nothing.
+    Real a[3][6] = {};
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) a[r][c] = scaled[c][r];
+        a[r][3 + r] = 1;
     }
     for (int column = 0; column < 3; ++column) {
         int pivot = column;
@@ -82,25 +130,31 @@ std::optional<Mat4> inverse(const Mat4& m) {
             if (std::abs(a[r][column]) > std::abs(a[pivot][column])) pivot = r;
         std::swap(a[column], a[pivot]);
         const Real divisor = a[column][column];
-        // What elimination leaves of a singular matrix is rounding error, a few units in the last place
-        // of rows that were scaled to 1.
-        if (!(std::abs(divisor) > gamma(8))) return std::nullopt;
+        if (divisor == 0) return std::nullopt;
         for (Real& x : a[column]) x /= divisor;
         for (int r = 0; r < 3; ++r) {
             if (r == column) continue;
-            const Real factor = a[r][column];
-            for (int c = 0; c < 6; ++c) a[r][c] -= factor * a[column][c];
+            const Real times = a[r][column];
+            for (int c = 0; c < 6; ++c) a[r][c] -= times * a[column][c];
         }
     }
-    Mat4 result(1);
-    for (int r = 0; r < 3; ++r) {
-        for (int c = 0; c < 3; ++c) result[c][r] = a[r][3 + c];
-        result[3][r] = -(a[r][3] * m[3][0] + a[r][4] * m[3][1] + a[r][5] * m[3][2]);
-        for (int c = 0; c < 4; ++c)
-            if (!std::isfinite(result[c][r])) return std::nullopt;
-    }
-    return result;
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) rough[c][r] = a[r][3 + c];
     // [/exercise]
+
+    const std::optional<Mat4> fine = refined(scaled, rough);
+    if (!fine) return std::nullopt;
+    Mat4 result(1);
+    // [exercise 04.4] `fine` is right to the last bits, for `scaled`. The columns of the result are its columns,
+    // each times the `factor` of the row with the same number. Then its last column: a translation by t is
+    // undone by −L⁻¹·t, with t = m[3].
+    for (int c = 0; c < 3; ++c) result[c] = (*fine)[c] * factor[c];
+    result[3] = Vec4(-(Mat3(result) * Vec3(m[3])), 1);
+    // [/exercise]
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 3; ++r)
+            if (!std::isfinite(result[c][r])) return std::nullopt;
+    return result;
 }
 
 Vec3 transform_point(const Mat4& m, const Vec3& p) {
@@ -132,18 +186,22 @@ Ray to_local(const Transform& transform, const Ray& ray) {
 
 Surface to_world(const Transform& transform, const Surface& local) {
     const Mat4& m = transform.to_world;
+    const Mat4& back = transform.to_local;
+    // Σ |a|·p, what the rounding of a·p is measured by.
     const auto magnitude = [](const Mat4& a, const Vec3& p) {
-        return glm::abs(Vec3(a[0])) * p.x + glm::abs(Vec3(a[1])) * p.y + glm::abs(Vec3(a[2])) * p.z;
+        return abs(Vec3(a[0])) * p.x + abs(Vec3(a[1])) * p.y + abs(Vec3(a[2])) * p.z;
     };
     Surface world = local;
     world.point = transform_point(m, local.point);
-    // Chapter 6 derives this bound: the local error enlarged by M, the rounding of M·p, and that of the
-    // way back, which the next ray that starts here will take through the inverse.
-    const Vec3 back = gamma(4) * (magnitude(transform.to_local, glm::abs(world.point)) + glm::abs(Vec3(transform.to_local[3])));
-    world.error = (1 + gamma(3)) * magnitude(m, local.error + back) +
-                  gamma(4) * (magnitude(m, glm::abs(local.point)) + glm::abs(Vec3(m[3])));
-    world.normal = normalize(transform_normal(transform.to_local, local.normal));
-    world.shading_normal = normalize(transform_normal(transform.to_local, local.shading_normal));
+    world.normal = unit_vector(transform_normal(back, local.normal));
+    world.shading_normal = unit_vector(transform_normal(back, local.shading_normal));
+    // Given; chapter 6 needs it. A ray that starts here goes back through the inverse. Where does it arrive? Beside
+    // the local point by what can be seen now, and by the rounding of this way back and of that one, gamma(4) each.
+    const Vec3 way_back = abs(transform_point(back, world.point) - local.point) +
+                          gamma(8) * (magnitude(back, abs(world.point)) + abs(Vec3(back[3])));
+    // All that is wrong locally is wrong in the world by |M| as much; the way here was rounded too.
+    world.error = (1 + gamma(4)) * magnitude(m, local.error + way_back) +
+                  gamma(4) * (magnitude(m, abs(local.point)) + abs(Vec3(m[3])));
     return world;
 }
 

@@ -1,4 +1,5 @@
 // Light on a surface: what arrives from a light, and what of it goes on to the viewer.
+// The lesson uses the same letters: n for the normal, l to the light, v to the viewer, h half way, r mirrored.
 #include "chapters/05_lighting/lighting.hpp"
 
 #include <algorithm>
@@ -7,18 +8,19 @@
 namespace rt {
 
 LightSample sample_light(const PointLight& light, const Vec3& point) {
-    // [exercise 05.1] The vector from the point to the light gives direction and distance d. With the
-    // attenuation (c, l, q) the light arrives as color / (c + l·d + q·d²). Where d is 0, or the
-    // denominator is not greater than 0, return a LightSample with the colour black.
+    // [exercise 05.1] The vector from the point to the light has the direction l and the length d. With the
+    // attenuation (c, l, q) = (x, y, z) the light arrives as color / (c + l·d + q·d²). Where d is 0 return a
+    // LightSample with .distance = 0, and where the quotient is not a finite number one with the colour black:
+    // nothing that is computed from it may become NaN.
     const Vec3 to_light = light.position - point;
-    const Vec3 size = glm::abs(to_light);
-    const Real greatest = std::max({size.x, size.y, size.z});
-    if (!(greatest > 0)) return {.distance = 0};
-    const Real d = greatest * length(to_light / greatest);
-    const Real c = light.attenuation.x, l = light.attenuation.y, q = light.attenuation.z;
-    const Real denominator = c + l * d + q * d * d;
-    if (!(denominator > 0)) return {.direction = to_light / d, .distance = d};
-    return {to_light / d, d, light.color / denominator};
+    const Real d = length(to_light);
+    if (!(d > 0)) return {.distance = 0};
+    const Vec3 l = to_light / d;
+    const Vec3& attenuation = light.attenuation;
+    const Real divisor = attenuation.x + attenuation.y * d + attenuation.z * d * d;
+    const Vec3 color = light.color / divisor;
+    if (!(divisor > 0) || !std::isfinite(color.x + color.y + color.z)) return {.direction = l, .distance = d};
+    return {l, d, color};
     // [/exercise]
 }
 
@@ -35,8 +37,9 @@ Real lambert(const Vec3& n, const Vec3& l) {
 }
 
 Real blinn(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
-    // [exercise 05.3] Make h = l + v a unit vector and raise max(n·h, 0) to the power `shininess`. Return 0
-    // where h has no direction, and where n·h is not greater than 0.
+    // [exercise 05.3] Make h = l + v a unit vector and raise n·h to the power `shininess`. Return 0 where n·h
+    // is not greater than 0, and where l and v are opposite, so that h has no direction. Rounding can make n·h
+    // a little greater than 1, and a power of that a lot: let it be 1 at most.
     const Vec3 h = l + v;
     const Real size = length(h);
     if (!(size > 0)) return 0;
@@ -46,8 +49,8 @@ Real blinn(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
 }
 
 Real phong(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
-    // [exercise 05.4] Mirror l at n: r = 2(n·l)n − l; raise max(r·v, 0) to the power `shininess`, and return
-    // 0 where r·v is not greater than 0.
+    // [exercise 05.4] Mirror l at n: r = 2(n·l)n − l. Raise r·v, at most 1, to the power `shininess`; return 0
+    // where it is not greater than 0.
     const Vec3 r = 2 * dot(n, l) * n - l;
     const Real cosine = dot(r, v);
     return cosine > 0 ? std::pow(std::min(cosine, Real(1)), shininess) : 0;
@@ -56,8 +59,9 @@ Real phong(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
 
 Vec3 reflected_light(const Material& material, const Vec3& n, const Vec3& v, const LightSample& light,
                      const Vec3& visibility) {
-    // [exercise 05.5] Black where n·l ≤ 0. Else visibility · color · (diffuse · lambert + specular · highlight)
-    // with blinn or phong as material.highlight says. Where specular is black compute no highlight.
+    // [exercise 05.5] Black where n·l ≤ 0. Else visibility · color · (diffuse · lambert + specular · highlight),
+    // the highlight by blinn or phong as material.highlight says. Where specular is black, compute none: most
+    // surfaces are matt, and a power is the most expensive thing here.
     const Vec3& l = light.direction;
     const Real cosine = lambert(n, l);
     if (!(cosine > 0)) return Vec3(0);

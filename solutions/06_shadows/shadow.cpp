@@ -1,4 +1,5 @@
 // Shadows: one more question to the scene, asked from a point that is surely outside the surface.
+// The lesson uses the same letters: n for the normal, e for the error bound, d for the offset along n.
 #include "chapters/06_shadows/shadow.hpp"
 
 #include "common/math/error.hpp"
@@ -8,10 +9,10 @@
 namespace rt {
 
 Vec3 offset_origin(const Surface& surface, const Vec3& direction) {
-    // [exercise 06.1] The error box around the point reaches d = Σ |nᵢ|·errorᵢ along the normal n. Move the
-    // point by d·n, or by −d·n where the direction points to the other side. Then move each coordinate on
-    // to the next floating-point number in the direction of the offset (std::nextafter), because the
-    // addition was rounded.
+    // [exercise 06.1] The box of the error bound e around the point reaches d = Σ |nᵢ|·eᵢ far along the normal
+    // n (the geometric one). Move the point by d·n, or by −d·n where the direction points to the other side.
+    // The addition was rounded: move each coordinate on to the next number away from the surface
+    // (std::nextafter, up where that coordinate of the offset is positive, down where it is negative).
     const Vec3& n = surface.normal;
     const Real d = dot(glm::abs(n), surface.error);
     const Vec3 offset = dot(direction, n) < 0 ? -d * n : d * n;
@@ -25,21 +26,30 @@ Vec3 offset_origin(const Surface& surface, const Vec3& direction) {
 }
 
 ShadowRay shadow_ray(const Surface& surface, const LightSample& light) {
-    // [exercise 06.2] Start at the offset origin, go in the light's direction, and let hits count in
-    // (0, distance·(1 − gamma(8))]: what holds the light itself must not shade it.
-    return {{offset_origin(surface, light.direction), light.direction}, {0, light.distance * (1 - gamma(8))}};
+    // [exercise 06.2] Start at the offset origin. To a light infinitely far away go in the light's direction,
+    // without end. Else aim anew, because the origin has moved: the vector to the light is distance · direction
+    // less the offset, and its length is the new distance d. Hits count in (0, d·(1 − gamma(16))]: that much
+    // may be rounding, and what holds the light must not hide it. Where d is 0, nothing counts.
+    const Vec3 origin = offset_origin(surface, light.direction);
+    if (light.distance == infinity) return {{origin, light.direction}, {0, infinity}};
+    const Vec3 to_light = light.distance * light.direction - (origin - surface.point);
+    const Real d = length(to_light);
+    if (!(d > 0)) return {{origin, light.direction}, {0, 0}};
+    return {{origin, to_light / d}, {0, d * (1 - gamma(16))}};
     // [/exercise]
 }
 
 Vec3 visibility(const World& world, const ShadowRay& shadow) {
-    // [exercise 06.3] Nothing arrives where the scene says that the shadow ray is occluded, else all.
+    // [exercise 06.3] Ask `occluded`, which stops at the first thing it finds: a shadow ray wants to know
+    // whether, not what. Nothing arrives if it is, else everything.
     return Vec3(occluded(world, shadow.ray, shadow.range) ? 0 : 1);
     // [/exercise]
 }
 
 Vec3 colored_visibility(const World& world, const ShadowRay& shadow) {
-    // [exercise 06.4] Start with white. Find the closest hit in the range; multiply by the transmission of
-    // its material; go on behind it by raising range.min to its t. Stop at black, or where nothing is hit.
+    // [exercise 06.4] Start with white. As long as there is a closest hit in the range: multiply by the
+    // transmission of its material (surface_at, then material_at), and go on behind it by raising range.min to
+    // its t. Stop where nothing is hit any more, or when the product is black.
     Vec3 part(1);
     Interval range = shadow.range;
     while (const std::optional<Hit> hit = closest_hit(world, shadow.ray, range)) {

@@ -37,12 +37,14 @@ std::optional<Vec3> refract(const Vec3& d, const Vec3& n, Real eta) {
 Real fresnel(Real cos_i, Real eta) {
     // [exercise 07.3] With cosₜ from Snell's law (where it does not exist, 1 is reflected), the amplitudes
     // are r∥ = (cosᵢ − eta·cosₜ)/(cosᵢ + eta·cosₜ) and r⊥ = (eta·cosᵢ − cosₜ)/(eta·cosᵢ + cosₜ), and of
-    // unpolarised light the part (r∥² + r⊥²)/2 is reflected. Where cosᵢ is 0, all of it is.
+    // unpolarised light the part (r∥² + r⊥²)/2 is reflected. Where cosᵢ is 0, all of it is. Compute
+    // |a − b|/(a + b) as 1 − 2·min(a, b)/(a + b): near 1 only one rounding counts then.
     const Real cos_t_squared = refracted_cosine_squared(cos_i, eta);
     if (!(cos_i > 0) || !(cos_t_squared > 0)) return 1;
     const Real cos_t = std::sqrt(cos_t_squared);
-    const Real parallel = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
-    const Real perpendicular = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+    const auto amplitude = [](Real a, Real b) { return 1 - 2 * std::min(a, b) / (a + b); };
+    const Real parallel = amplitude(cos_i, eta * cos_t);
+    const Real perpendicular = amplitude(eta * cos_i, cos_t);
     return (parallel * parallel + perpendicular * perpendicular) / 2;
     // [/exercise]
 }

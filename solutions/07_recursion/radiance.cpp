@@ -55,7 +55,7 @@ Branches scatter(const World& world, const Branch& incoming, const Hit& hit, con
     // turned against the ray. An opaque material sends one mirror ray with the factor `specular`. A
     // transparent one: eta = ior(before)/ior(after) with `cross`; R = fresnel or schlick as the material
     // says; mirror factor R (specular where it says none), refracted factor (1 − R)·transmission. Where
-    // refract returns nothing, that factor is added to the mirror ray's. `add` above keeps the books.
+    // refract returns nothing, all light is mirrored: factor 1. `add` above keeps the books.
     Branches branches;
     if (incoming.depth >= world.max_depth) return branches;
     const Vec3& d = incoming.ray.direction;
@@ -76,7 +76,7 @@ Branches scatter(const World& world, const Branch& incoming, const Hit& hit, con
         through *= 1 - r;
     }
     const std::optional<Vec3> refracted = refract(d, n, eta);
-    if (!refracted) mirror += through;
+    if (!refracted) mirror = Vec3(1);
     add(world, branches, incoming, surface, RayKind::Reflection, reflect(d, n), mirror, incoming.media);
     if (refracted)
         add(world, branches, incoming, surface, RayKind::Refraction, *refracted, through, after);

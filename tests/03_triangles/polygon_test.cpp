@@ -17,7 +17,8 @@ namespace {
 
 const std::vector<Vec3> unit_square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
-/// A pentagram's outline: ten corners, every second one a notch. Radius 1 outside, 0.3 inside, in the xy plane.
+/// A pentagram's outline: ten corners, every second one a notch. Radius 1 outside, 0.3 inside, in the xy
+/// plane.
 std::vector<Vec3> star() {
     std::vector<Vec3> corners;
     for (int i = 0; i < 10; ++i) {
@@ -185,7 +186,8 @@ TEST_CASE("a point belongs to exactly one of two polygons that share an edge", "
     for (int i = 0; i < cases(2000); ++i) {
         std::vector<Vec2> quad = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
         const auto whole = [&](int low, int high) {
-            return static_cast<Real>(low + static_cast<int>(random.index(static_cast<std::size_t>(high - low + 1))));
+            return static_cast<Real>(
+                low + static_cast<int>(random.index(static_cast<std::size_t>(high - low + 1))));
         };
         quad[0] = {whole(-5, -1), whole(-5, -1)};
         quad[1] = {whole(1, 5), whole(-5, -1)};
@@ -205,7 +207,8 @@ TEST_CASE("a point belongs to exactly one of two polygons that share an edge", "
 TEST_CASE("points on the common edge have one owner also where rounding decides", "[03.2]") {
     Random random(34);
     for (int i = 0; i < cases(10000); ++i) {
-        const Vec2 p(random.uniform(-1, 0), random.uniform(-1, 0)), q(random.uniform(0, 1), random.uniform(0, 1));
+        const Vec2 p(random.uniform(-1, 0), random.uniform(-1, 0)),
+            q(random.uniform(0, 1), random.uniform(0, 1));
         const std::vector<Vec2> below = {p, {2, -2}, q}, above = {q, {-2, 2}, p};
         const Vec2 point = p + random.uniform(0.1, 0.9) * (q - p);
         INFO("edge " << show(p) << " to " << show(q) << ", point " << show(point));

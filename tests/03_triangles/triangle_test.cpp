@@ -121,9 +121,9 @@ TEST_CASE("the weights that made a point are found again, at any size", "[03.3]"
         REQUIRE(found);
         INFO("triangle " << show(t));
         INFO("made from " << show(made) << ", found " << show(*found));
-        // Rounding moves the point by some u of its coordinates, which are up to 9 times a corner's. Measured in
-        // the triangle that is the ratio of the coordinates to the least height, which the condition bounds
-        // when the extent is known.
+        // Rounding moves the point by some u of its coordinates, which are up to 9 times a corner's. Measured
+        // in the triangle that is the ratio of the coordinates to the least height, which the condition
+        // bounds when the extent is known.
         const Real extent = glm::length(t.b - t.a) + glm::length(t.c - t.a);
         const Real reach = glm::length(t.a) + glm::length(t.b) + glm::length(t.c) + extent;
         REQUIRE(glm::length(*found - made) <= 64 * unit_roundoff * condition(t) * reach / extent);
@@ -193,7 +193,8 @@ TEST_CASE("rays past each of the edges miss", "[03.4]") {
 }
 
 TEST_CASE("edges and corners belong to the triangle", "[03.4]") {
-    for (const Vec3& w : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.5, 0.5, 0), Vec3(0, 0.25, 0.75)}) {
+    for (const Vec3& w :
+         {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.5, 0.5, 0), Vec3(0, 0.25, 0.75)}) {
         const Vec3 target = weighted(right_angled, w);
         INFO("target " << show(target));
         const auto hit = shoot(right_angled, target + Vec3(0, 0, 5), {0, 0, -1});
@@ -222,7 +223,8 @@ TEST_CASE("a triangle seen edge-on is missed", "[03.4]") {
 
 TEST_CASE("a triangle without area is missed, wherever the ray points", "[03.4]") {
     const Vec3 p(0.25, 0.5, 0.75), q(1, 2, 3);
-    const std::vector<Triangle> flat = {{p, p, p}, {p, p, q}, {p, q, p}, {q, p, p}, {p, q, p + 2.0 * (q - p)}};
+    const std::vector<Triangle> flat = {
+        {p, p, p}, {p, p, q}, {p, q, p}, {q, p, p}, {p, q, p + 2.0 * (q - p)}};
     Random random(38);
     const auto check = [&](const Triangle& triangle) {
         const Vec3 origin = 4.0 * random.in_cube();
@@ -342,7 +344,8 @@ TEST_CASE("no ray passes between the slices of a fan", "[03.4]") {
     const int slices = 1000;
     std::vector<Vec3> rim;
     for (int i = 0; i < slices; ++i)
-        rim.push_back({std::cos(2 * pi * i / slices), std::sin(2 * pi * i / slices), 0.1 * random.uniform(-1, 1)});
+        rim.push_back(
+            {std::cos(2 * pi * i / slices), std::sin(2 * pi * i / slices), 0.1 * random.uniform(-1, 1)});
     const Vec3 hub(0.01, 0.02, 0.03);
     for (int i = 0; i < cases(2000); ++i) {
         const auto k = random.index(slices);
@@ -360,7 +363,8 @@ TEST_CASE("no ray passes between the slices of a fan", "[03.4]") {
 // ---------------------------------------------------------------------------------------------- 03.5
 
 TEST_CASE("the surface at a hit: point by weights, flat normal, weights as uv", "[03.5]") {
-    const Surface surface = surface_at(right_angled, Ray{{1, 2, 5}, {0, 0, -1}}, Hit{.t = 5, .uv = {0.25, 0.5}});
+    const Surface surface =
+        surface_at(right_angled, Ray{{1, 2, 5}, {0, 0, -1}}, Hit{.t = 5, .uv = {0.25, 0.5}});
     CHECK(surface.point == Vec3(1, 2, 0));
     CHECK(surface.normal == Vec3(0, 0, 1));
     CHECK(surface.shading_normal == Vec3(0, 0, 1));
@@ -368,15 +372,16 @@ TEST_CASE("the surface at a hit: point by weights, flat normal, weights as uv", 
 }
 
 TEST_CASE("the normal is not turned to the viewer", "[03.5]") {
-    const Surface from_below = surface_at(right_angled, Ray{{1, 2, -5}, {0, 0, 1}}, Hit{.t = 5, .uv = {0.25, 0.5}});
+    const Surface from_below =
+        surface_at(right_angled, Ray{{1, 2, -5}, {0, 0, 1}}, Hit{.t = 5, .uv = {0.25, 0.5}});
     CHECK(from_below.normal == Vec3(0, 0, 1));
 }
 
 TEST_CASE("the surface point lies on the triangle's plane within the error that it claims", "[03.5]") {
     Random random(43);
     for (int i = 0; i < cases(20000); ++i) {
-        const Triangle t =
-            moved(scaled(random_triangle(random), random.magnitude(-6, 6)), random.magnitude(-6, 6) * random.in_cube());
+        const Triangle t = moved(scaled(random_triangle(random), random.magnitude(-6, 6)),
+                                 random.magnitude(-6, 6) * random.in_cube());
         const Vec3 w = random_weights(random, 0);
         const Surface surface = surface_at(t, Ray{}, Hit{.t = 1, .uv = {w.y, w.z}});
         // In twice the precision's exponent: weights that sum to exactly 1 name a point that is on the plane.
@@ -385,7 +390,8 @@ TEST_CASE("the surface point lies on the triangle's plane within the error that 
         for (int k = 0; k < 3; ++k) {
             const Wide exact = (wa * Wide(t.a[k]) + wb * Wide(t.b[k]) + wc * Wide(t.c[k])) / sum;
             INFO("triangle " << show(t) << ", weights " << show(w) << ", coordinate " << k);
-            INFO("off by " << static_cast<Real>(surface.point[k] - exact) << ", claimed " << surface.error[k]);
+            INFO("off by " << static_cast<Real>(surface.point[k] - exact) << ", claimed "
+                           << surface.error[k]);
             REQUIRE(std::abs(surface.point[k] - exact) <= Wide(surface.error[k]));
         }
     }
@@ -405,12 +411,12 @@ TEST_CASE("at a corner the interpolated normal is the corner's", "[03.5]") {
     CHECK(interpolate(normals, {0, 1}, {0, 0, 1}) == Vec3(0, 0, 1));
 }
 
-TEST_CASE("the normal half-way between two is a unit vector, whatever the corners' lengths", "[03.5]") {
+TEST_CASE("the normal half-way between two is a unit vector, however long theirs are", "[03.5]") {
     const Vec3 expected = Vec3(1, 1, 0) / std::sqrt(Real(2));
     for (const Real length : {1.0, 5.0, 1e-200, 1e200}) {
-        const TriangleNormals normals{{1, 0, 0}, {0, length, 0}, {0, 0, 1}};
+        const TriangleNormals normals{{length, 0, 0}, {0, length, 0}, {0, 0, length}};
         const Vec3 actual = interpolate(normals, {0.5, 0}, {0, 0, 1});
-        INFO("length at corner b " << length << ", actual " << show(actual) << ", expected " << show(expected));
+        INFO("length " << length << ", actual " << show(actual) << ", expected " << show(expected));
         CHECK(glm::length(actual - expected) <= 4 * unit_roundoff);
     }
 }
@@ -421,11 +427,11 @@ TEST_CASE("where the normals cancel, the flat normal stands in", "[03.5]") {
 }
 
 TEST_CASE("texture coordinates are interpolated linearly", "[03.5]") {
-    const TriangleUvs uvs{{0, 0}, {1, 0}, {0.5, 2}};
-    CHECK(interpolate(uvs, {0, 0}) == Vec2(0, 0));
+    const TriangleUvs uvs{{2, 1}, {1, 0}, {0.5, 2}};
+    CHECK(interpolate(uvs, {0, 0}) == Vec2(2, 1));
     CHECK(interpolate(uvs, {1, 0}) == Vec2(1, 0));
     CHECK(interpolate(uvs, {0, 1}) == Vec2(0.5, 2));
-    CHECK(interpolate(uvs, {0.25, 0.5}) == Vec2(0.5, 1));
+    CHECK(interpolate(uvs, {0.25, 0.5}) == Vec2(1, 1.25));
 }
 
 // ---------------------------------------------------------------------------------------------- 03.6

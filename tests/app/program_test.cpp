@@ -152,13 +152,15 @@ TEST_CASE("the same picture comes out with any number of threads") {
     write_scene("threads.scene", "integrator normals\nsphere 0 0 0 1\n");
     CHECK(course("render threads.scene --solutions --threads 1 -o one.pfm --size 100x70").status == 0);
     CHECK(course("render threads.scene --solutions --threads 3 -o three.pfm --size 100x70").status == 0);
-    CHECK(read_file(in_scratch("one.pfm")) == read_file(in_scratch("three.pfm")));
+    const bool equal = read_file(in_scratch("one.pfm")) == read_file(in_scratch("three.pfm"));
+    CHECK(equal);
 }
 
 TEST_CASE("compare has a status, JSON in the documented form, and a page") {
     Image image = make_image(4, 3);
     write_image(in_scratch("black.pfm"), image);
     pixel(image, 2, 1) = Vec3(1, 0, 0);
+    pixel(image, 3, 1) = Vec3(0, 0, 0.001);  // 3.3/255 as the display shows it: 255 · 12.92 · 0.001
     write_image(in_scratch("dot.pfm"), image);
     write_image(in_scratch("small.pfm"), make_image(2, 2));
 
@@ -171,7 +173,8 @@ TEST_CASE("compare has a status, JSON in the documented form, and a page") {
     CHECK(object["same"] == false);
     CHECK(object["max"] == 1);
     CHECK(object["worst"] == json{{"x", 2}, {"y", 1}});
-    CHECK(object["within"]["1"] == Approx(11.0 / 12));
+    CHECK(object["within"]["2"] == Approx(10.0 / 12));
+    CHECK(object["within"]["10"] == Approx(11.0 / 12));
     CHECK(keys(object["within"]) == Keys{"1", "10", "2"});
     CHECK(std::filesystem::file_size(in_scratch("page.html")) > 0);
     CHECK(read_image(in_scratch("diff.png")).width == 4);
@@ -213,14 +216,7 @@ TEST_CASE("nothing is coloured where no person looks") {
     }
 }
 
-TEST_CASE("a solution is not shown before its step has passed") {
-    const Outcome shy = course("solution 02.1");
-    // In a tree where somebody works the step may have passed.
-    if (shy.status != 0) {
-        CHECK(shy.status == 1);
-        CHECK(shy.out.empty());
-        CHECK(shy.errors.find("--spoil") != std::string::npos);
-    }
+TEST_CASE("a solution is shown without its marks") {
     const Outcome spoilt = course("solution 02.1 --spoil --json");
     CHECK(spoilt.status == 0);
     const json object = json::parse(spoilt.out);

@@ -7,6 +7,7 @@
 #include "tests/app/sandbox.hpp"
 #include "tests/catch.hpp"
 
+#include <cstdlib>
 #include <limits>
 
 using namespace rt;
@@ -91,6 +92,21 @@ TEST_CASE("a pixel at a silhouette may differ by anything, one beside it may not
     }
 }
 
+TEST_CASE("neighbours are above, below and across corners, too", "[tour]") {
+    // One pixel was decided differently from all others.
+    std::vector<std::uint64_t> decisions(halves().pixels.size(), 1);
+    decisions[20 * width + 30] = 2;
+    for (int y = 18; y <= 22; ++y) {
+        for (int x = 28; x <= 32; ++x) {
+            Image image = halves();
+            pixel(image, x, y) = Vec3(0);
+            CAPTURE(x, y);
+            const bool near = std::abs(x - 30) <= 1 && std::abs(y - 20) <= 1;
+            CHECK(judge(image, halves(), [&] { return decisions; }).passed == near);
+        }
+    }
+}
+
 TEST_CASE("more than a thousandth of the pixels fail even at silhouettes", "[tour]") {
     Image image = halves();
     pixel(image, width / 2, 1) = pixel(image, width / 2, 2) = Vec3(0);
@@ -114,6 +130,7 @@ TEST_CASE("NaN is a difference, and values over 1 are what a display shows", "[t
 
 TEST_CASE("pictures of two sizes are not compared", "[tour]") {
     CHECK_THROWS_AS(judge(halves(), make_image(width, height + 1), decided), InputError);
+    CHECK_THROWS_AS(judge(halves(), make_image(width - 1, height), decided), InputError);
 }
 
 TEST_CASE("the tour passes a picture like its reference and fails an altered one", "[tour]") {

@@ -21,9 +21,11 @@ World world_of(const std::string& text) {
 }
 
 World knot(const std::string& more = "") {
-    return compile(parse_scene_text("size 160 120\nintegrator normals\nmesh knot_smooth.obj\n"
-                                    "camera 1.5 -4.5 8.5  0 -.1 0  0 1 0  42\n" + more,
-                                    "knot.scene", test::repository() + "/references/03_triangles"));
+    return compile(
+        parse_scene_text("size 160 120\nintegrator normals\nmesh knot_smooth.obj\n"
+                         "camera 1.5 -4.5 8.5  0 -.1 0  0 1 0  42\n" +
+                             more,
+                         "knot.scene", test::repository() + "/references/03_triangles"));
 }
 
 std::vector<std::optional<Hit>> cast_rays(const World& world) {
@@ -41,9 +43,9 @@ std::pair<std::int64_t, std::int64_t> identity(const std::optional<Hit>& hit) {
 }
 
 struct Agreement {
-    int differing = 0;           ///< pixels with another triangle
-    int off_silhouettes = 0;     ///< of those, the ones whose eight neighbours all see the same as they do
-    Real greatest_error = 0;     ///< of t, relative, and of the weights, where the triangle is the same
+    int differing = 0;        ///< pixels with another triangle
+    int off_silhouettes = 0;  ///< of those, the ones whose eight neighbours all see the same as they do
+    Real greatest_error = 0;  ///< of t, relative, and of the weights, where the triangle is the same
     int covered = 0;
 };
 
@@ -117,8 +119,8 @@ TEST_CASE("scan conversion and ray casting paint the same picture") {
 
 TEST_CASE("a triangle that reaches behind the eye covers the pixels that see it") {
     // A ground that begins far behind the eye: everything below the horizon.
-    const World ground = world_of(
-        "size 64 48\nvertex 0 -1 -1e6\nvertex -1e6 -1 1e3\nvertex 1e6 -1 1e3\ntri 0 1 2\n");
+    const World ground =
+        world_of("size 64 48\nvertex 0 -1 -1e6\nvertex -1e6 -1 1e3\nvertex 1e6 -1 1e3\ntri 0 1 2\n");
     const auto hits = scan_convert(ground);
     CHECK_FALSE(hits[0]);
     CHECK(hits.back());
@@ -132,8 +134,9 @@ TEST_CASE("what lies behind the eye is not drawn") {
 }
 
 TEST_CASE("of equally near triangles the first in the file is drawn") {
-    const std::string both = "size 8 8\nvertex -5 -5 0\nvertex 5 -5 0\nvertex 0 8 0\n"
-                             "tri 0 1 2\ntri 0 1 2\n";
+    const std::string both =
+        "size 8 8\nvertex -5 -5 0\nvertex 5 -5 0\nvertex 0 8 0\n"
+        "tri 0 1 2\ntri 0 1 2\n";
     for (const auto& hit : scan_convert(world_of(both))) {
         REQUIRE(hit);
         REQUIRE(hit->primitive == 0);

@@ -70,6 +70,23 @@ void judge(const Quadratic& q, Real proposed0, Real proposed1, QuadraticTruth& t
     one(proposed1, +1, truth.error1, truth.residual1);
 }
 
+/// The line f + t·d and the sphere of radius r around the origin.
+SphereTruth judge(const Vec& f, const Vec& d, const Exact& r, Real proposed0, Real proposed1) {
+    const Quadratic q{dot(d, d), dot(f, d), dot(f, f) - r * r};
+    SphereTruth truth;
+    judge(q, proposed0, proposed1, truth);
+    truth.a = CGAL::to_double(q.a);
+    // D = a·(r − ℓ)·(r + ℓ), and (a·ℓ)² = a·(a·r² − D); only the sign and size of r − ℓ need care.
+    const Real radius = CGAL::to_double(r), r2 = radius * radius, excess = truth.discriminant / truth.a;
+    truth.depth = excess / (radius + std::sqrt(std::max(r2 - excess, Real(0))));
+    const auto distance = [&](Real residual) {
+        return residual / (radius + std::sqrt(std::max(r2 + residual, Real(0))));
+    };
+    truth.distance0 = distance(truth.residual0);
+    truth.distance1 = distance(truth.residual1);
+    return truth;
+}
+
 Rational::Sphere_3 rational(const Sphere& sphere) {
     const CGAL::Gmpq r(sphere.radius);
     return {Rational::Point_3(sphere.center.x, sphere.center.y, sphere.center.z), r * r};
@@ -84,22 +101,22 @@ QuadraticTruth judge_quadratic(Real a, Real h, Real c, Real proposed0, Real prop
 }
 
 SphereTruth judge_sphere(const Sphere& sphere, const Ray& ray, Real proposed0, Real proposed1) {
-    const Vec d(ray.direction);
-    const Vec f = Vec(ray.origin) - Vec(sphere.center);
-    const Exact r(sphere.radius);
-    const Quadratic q{dot(d, d), dot(f, d), dot(f, f) - r * r};
+    return judge(Vec(ray.origin) - Vec(sphere.center), Vec(ray.direction), Exact(sphere.radius), proposed0,
+                 proposed1);
+}
 
-    SphereTruth truth;
-    judge(q, proposed0, proposed1, truth);
-    truth.a = CGAL::to_double(q.a);
-    // D = a·(r − ℓ)·(r + ℓ), and (a·ℓ)² = a·(a·r² − D); only the sign and size of r − ℓ need care.
-    const Real r2 = sphere.radius * sphere.radius, excess = truth.discriminant / truth.a;
-    truth.depth = excess / (sphere.radius + std::sqrt(std::max(r2 - excess, Real(0))));
-    const auto distance = [&](Real residual) {
-        return residual / (sphere.radius + std::sqrt(std::max(r2 + residual, Real(0))));
-    };
-    truth.distance0 = distance(truth.residual0);
-    truth.distance1 = distance(truth.residual1);
+SphereTruth judge_ellipsoid(const Mat4& to_world, const Ray& ray, Real proposed0, Real proposed1) {
+    // The determinant times the inverse needs no division: its rows are cross products of the columns. The unit
+    // sphere has the determinant for its radius then, and t is the same.
+    const auto column = [&](int c) { return Vec(Vec3(to_world[c])); };
+    const Vec x = column(0), y = column(1), z = column(2);
+    const Vec rows[3] = {cross(y, z), cross(z, x), cross(x, y)};
+    const auto to_local = [&](const Vec& v) { return Vec(dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)); };
+    const Exact determinant = dot(x, rows[0]);
+    const Exact radius = CGAL::sign(determinant) < 0 ? -determinant : determinant;
+    SphereTruth truth = judge(to_local(Vec(ray.origin) - column(3)), to_local(Vec(ray.direction)),
+                              radius, proposed0, proposed1);
+    for (Real* length : {&truth.depth, &truth.distance0, &truth.distance1}) *length /= CGAL::to_double(radius);
     return truth;
 }
 

@@ -70,4 +70,26 @@ bool point_in_polygon(std::span<const Vec2> polygon, const Vec2& point) {
     return inside;
 }
 
+std::optional<Mat4> inverse(const Mat4& m) {
+    const Vec3 x(m[0]), y(m[1]), z(m[2]), t(m[3]);
+    const Vec3 rows[3] = {cross(y, z), cross(z, x), cross(x, y)};
+    const Real determinant = dot(x, rows[0]);
+    if (std::abs(determinant) < singular) return std::nullopt;
+    Mat4 result(1);
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) result[c][r] = rows[r][c] / determinant;
+        result[3][r] = -dot(rows[r], t) / determinant;
+    }
+    return result;
+}
+
+Vec3 transform_normal(const Mat4& m, const Vec3& n) {
+    return Vec3(m[0]) * n.x + Vec3(m[1]) * n.y + Vec3(m[2]) * n.z;
+}
+
+Ray to_local(const Transform& transform, const Ray& ray) {
+    const Mat4& m = transform.to_local;
+    return {Vec3(m * Vec4(ray.origin, 1)), normalize(Vec3(m * Vec4(ray.direction, 0))), ray.time};
+}
+
 }  // namespace rt::naive

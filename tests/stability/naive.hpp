@@ -6,6 +6,7 @@
 #include "common/math/ray.hpp"
 #include "common/scene/hit.hpp"
 #include "common/scene/shapes.hpp"
+#include "common/scene/world.hpp"
 
 #include <optional>
 #include <span>
@@ -36,5 +37,18 @@ std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point);
 /// Even-odd rule that compares the point's x with where the edge, taken in the polygon's direction, crosses
 /// its height (Franklin's PNPOLY).
 bool point_in_polygon(std::span<const Vec2> polygon, const Vec2& point);
+
+/// Determinants below this count as zero.
+inline constexpr Real singular = 1e-12;
+
+/// The inverse of an affine matrix as the adjugate over the determinant; nothing where the determinant counts
+/// as zero.
+std::optional<Mat4> inverse(const Mat4& m);
+
+/// A normal taken for a direction: the linear part of `m` times n.
+Vec3 transform_normal(const Mat4& m, const Vec3& n);
+
+/// The ray in local space with its direction made a unit vector, as is often advised.
+Ray to_local(const Transform& transform, const Ray& ray);
 
 }  // namespace rt::naive

@@ -1,0 +1,17 @@
+// The objects of a scene as the primitives of a world.
+#pragma once
+
+#include "common/scene/scene.hpp"
+#include "common/scene/world.hpp"
+
+namespace rt {
+
+/// Fills world.groups, world.primitives and world.meshes, and says in world.needs.transforms whether a
+/// matrix is left. What world.needs says of normals and texture coordinates decides whether they are kept.
+///
+/// Transforms are baked into points, normals and radii where that is possible; spheres that are stretched
+/// become ellipsoids, and a mesh that several objects show is kept once, in its own space. Throws
+/// InputError with the place of a transform that has no inverse.
+void add_primitives(const Scene& scene, World& world);
+
+}  // namespace rt

@@ -1,0 +1,93 @@
+#!/usr/bin/env bash
+# The script `course` on machines that lack something: what it asks for, what it runs, and how it ends.
+# The machine is made of stand-ins for apt, dpkg, sudo and the build; nothing is installed.
+# Run by `course test`, which sets COURSE_ROOT and COURSE_BUILD.
+set -eu
+: "${COURSE_ROOT:?}" "${COURSE_BUILD:?}"
+machine=$COURSE_BUILD/scratch/machine
+failures=0
+
+fail() {
+    printf 'FAILED: %s\n' "$1"
+    printf '%s\n' "$2" | sed 's/^/    /'
+    failures=$((failures + 1))
+}
+
+# expect NAME STATUS PATTERN ARGUMENTS...: `course ARGUMENTS` on the machine.
+expect() {
+    local name=$1 status=$2 pattern=$3 output code=0
+    shift 3
+    output=$(cd / && PATH=$machine/bin ./"${machine#/}"/tree/course "$@" 2>&1 </dev/null) || code=$?
+    [ "$code" = "$status" ] || { fail "$name: status $code, expected $status" "$output"; return; }
+    grep -qE -- "$pattern" <<<"$output" || fail "$name: no '$pattern'" "$output"
+}
+
+# stand_in NAME BODY: a program of the machine.
+stand_in() {
+    printf '#!/bin/bash\n%s\n' "$2" >"$machine/bin/$1"
+    chmod +x "$machine/bin/$1"
+}
+
+rm -rf "$machine"
+mkdir -p "$machine/bin" "$machine/tree"
+cp "$COURSE_ROOT/course" "$machine/tree"
+for tool in bash env dirname readlink sed grep tail head rm mkdir mktemp cat; do
+    ln -s "$(command -v $tool)" "$machine/bin/$tool"
+done
+export MACHINE=$machine
+
+# A system without apt.
+expect "no apt" 2 "This system has no apt.*" list
+expect "no apt: what to install" 2 "CLI11, nlohmann-json" list
+
+# Debian: the file `installed` holds what is there; apt-get adds to it, and says what it was asked.
+installed=$machine/installed
+: >"$installed"
+# shellcheck disable=SC2016
+stand_in dpkg-query 'while read -r p; do for q in "$@"; do [ "$p" = "$q" ] && echo "installed $p"; done; done <"$MACHINE/installed"; exit 1'
+# shellcheck disable=SC2016
+stand_in apt-get 'echo "apt-get $*" >>"$MACHINE/asked"
+[ "$1" = update ] && exit 0
+[ -e "$MACHINE/broken" ] && { echo "E: no network"; exit 100; }
+for p in "$@"; do case $p in -* | install) ;; *) echo "$p" >>"$MACHINE/installed" ;; esac; done'
+# The build: configuring makes build.ninja, building makes a program that says what it was given.
+# shellcheck disable=SC2016
+stand_in cmake 'echo "cmake $*" >>"$MACHINE/asked"
+[ "$1" = --build ] && mkdir -p "$2/bin" && printf "#!/bin/bash\necho program: \"\$@\"\n" >"$2/bin/course" && chmod +x "$2/bin/course"
+[ "$1" = -S ] && echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$4/CMakeCache.txt" && : >"$4/build.ninja"
+[ -e "$MACHINE/broken_build" ] && echo "/x/y.cpp:1:2: error: no good" && exit 1
+exit 0'
+ln -s "$(command -v chmod)" "$machine/bin/chmod"
+
+stand_in id 'echo 1000'
+expect "no sudo: the exact command" 2 "sudo apt-get install -y --no-install-recommends g\+\+ cmake" list
+# shellcheck disable=SC2016
+stand_in sudo 'echo sudo >>"$MACHINE/asked"; "$@"'
+expect "sudo, but nobody to ask" 2 "sudo apt-get install -y" list
+[ ! -e "$machine/asked" ] || fail "nothing was run without leave" "$(cat "$machine/asked")"
+expect "--yes answers, and is not the program's" 0 "^program: list --json$" list --yes --json
+grep -q '^sudo$' "$machine/asked" || fail "sudo was used" "$(cat "$machine/asked")"
+grep -q -- '--no-install-recommends g++ cmake ninja-build' "$machine/asked" || fail "apt-get was run" "$(cat "$machine/asked")"
+
+: >"$machine/asked"
+expect "a second call only builds" 0 "^program: render a b.scene$" render "a b.scene"
+if grep -qE 'apt-get|cmake -S' "$machine/asked"; then fail "nothing else was run" "$(cat "$machine/asked")"; fi
+
+stand_in id 'echo 0'
+expect "tests need more" 0 "Installing libcgal-dev libgmp-dev libmpfr-dev catch2" check 01
+grep -q 'cmake -S' "$machine/asked" || fail "new packages are found by configuring again" "$(cat "$machine/asked")"
+: >"$machine/broken"
+expect "apt fails: its last words, and the command" 2 "E: no network" references
+expect "apt fails: its last words, and the command" 2 "apt-get update && apt-get install .* povray" references
+expect "other commands go on" 0 "^program: list$" list
+
+printf 'CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere\n' >"$machine/tree/build/CMakeCache.txt"
+: >"$machine/asked"
+expect "a moved tree is built anew" 0 "^program: $" ""
+grep -q 'cmake -S' "$machine/asked" || fail "a moved tree is configured" "$(cat "$machine/asked")"
+
+: >"$machine/broken_build"
+expect "a broken build shows the error" 1 "y.cpp:1:2: error: no good" list
+
+[ "$failures" = 0 ] && echo "everything is as it should be"
+exit $((failures > 0))
