@@ -1,12 +1,16 @@
 // Shapes under a transform: ellipsoids, and meshes that stand in many places but in memory once.
 #pragma once
 
+#include "common/scene/shapes.hpp"
 #include "common/scene/world.hpp"
 
 #include <optional>
 #include <span>
 
 namespace rt {
+
+/// What every ellipsoid is in its local space.
+inline constexpr Sphere unit_sphere{Vec3(0), 1};
 
 /// [04.6] Nearest hit with the ellipsoid in (range.min, range.max], or nothing: that of the local ray with
 /// the unit sphere. `t` is the world ray's.

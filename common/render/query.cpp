@@ -1,12 +1,7 @@
 // The questions of common/scene/query.hpp, answered by dispatch over the kinds that occur.
 #include "common/scene/query.hpp"
 
-#include "chapters/01_ray_casting/plane.hpp"
-#include "chapters/02_spheres/sphere.hpp"
-#include "chapters/03_triangles/polygon.hpp"
-#include "chapters/03_triangles/triangle.hpp"
-#include "chapters/04_transforms/instance.hpp"
-#include "chapters/04_transforms/transform.hpp"
+#include "common/render/kinds.hpp"
 #include "common/render/lights.hpp"
 
 #include <cmath>
@@ -14,59 +9,9 @@
 namespace rt {
 namespace {
 
-template <class Shape>
-std::optional<Hit> closest_in(const World&, const Group<Shape>& group, const Ray& ray, Interval range) {
-    return closest_hit(std::span<const Shape>(group.shapes), ray, range);
-}
-std::optional<Hit> closest_in(const World& world, const Instances& group, const Ray& ray, Interval range) {
-    return closest_hit(group.shapes, world.meshes, ray, range);
-}
-
-template <class Shape>
-bool any_in(const World&, const Group<Shape>& group, const Ray& ray, Interval range) {
-    return any_hit(std::span<const Shape>(group.shapes), ray, range);
-}
-bool any_in(const World& world, const Instances& group, const Ray& ray, Interval range) {
-    return any_hit(group.shapes, world.meshes, ray, range);
-}
-
-template <class Shape>
-Surface surface_in(const World&, const Group<Shape>& group, std::uint32_t index, const Ray& ray,
-                   const Hit& hit) {
-    return surface_at(group.shapes[index], ray, hit);
-}
-Surface surface_in(const World& world, const Spheres& group, std::uint32_t index, const Ray& ray,
-                   const Hit& hit) {
-    Surface surface = surface_at(group.shapes[index], ray, hit);
-    if (world.needs.uvs) surface.uv = sphere_uv(surface.normal);
-    return surface;
-}
-Surface surface_in(const World& world, const Ellipsoids& group, std::uint32_t index, const Ray& ray,
-                   const Hit& hit) {
-    const Ellipsoid& ellipsoid = group.shapes[index];
-    Surface surface = surface_at(ellipsoid, ray, hit);
-    // On the unit sphere that the ellipsoid is in its own space, the point is the normal.
-    if (world.needs.uvs)
-        surface.uv = sphere_uv(normalize(transform_point(ellipsoid.transform.to_local, surface.point)));
-    return surface;
-}
-Surface surface_in(const World&, const Triangles& group, std::uint32_t index, const Ray& ray,
-                   const Hit& hit) {
-    Surface surface = surface_at(group.shapes[index], ray, hit);
-    if (!group.normals.empty())
-        surface.shading_normal = interpolate(group.normals[index], hit.uv, surface.normal);
-    if (!group.uvs.empty()) surface.uv = interpolate(group.uvs[index], hit.uv);
-    return surface;
-}
-Surface surface_in(const World& world, const Instances& group, std::uint32_t index, const Ray& ray,
-                   const Hit& hit) {
-    const Instance& instance = group.shapes[index];
-    return surface_at(instance, world.meshes[instance.mesh], ray, hit);
-}
-
-}  // namespace
-
-std::optional<Hit> closest_hit(const World& world, const Ray& ray, Interval range) {
+// The two loops are kept out of the functions that call them, which else would save registers for them
+// always.
+[[gnu::noinline]] std::optional<Hit> closest_of_several(const World& world, const Ray& ray, Interval range) {
     std::optional<Hit> best;
     for (const AnyGroup& any : world.groups) {
         std::visit(
@@ -83,10 +28,25 @@ std::optional<Hit> closest_hit(const World& world, const Ray& ray, Interval rang
     return best;
 }
 
-bool occluded(const World& world, const Ray& ray, Interval range) {
+[[gnu::noinline]] bool any_of_several(const World& world, const Ray& ray, Interval range) {
     for (const AnyGroup& any : world.groups)
         if (std::visit([&](const auto& group) { return any_in(world, group, ray, range); }, any)) return true;
     return false;
+}
+
+}  // namespace
+
+std::optional<Hit> closest_hit(const World& world, const Ray& ray, Interval range) {
+    if (world.groups.size() != 1) return closest_of_several(world, ray, range);
+    // One kind holds all the primitives in the order of the file: its answer is the world's.
+    return std::visit([&](const auto& group) { return closest_in(world, group, ray, range); },
+                      world.groups.front());
+}
+
+bool occluded(const World& world, const Ray& ray, Interval range) {
+    if (world.groups.size() != 1) return any_of_several(world, ray, range);
+    return std::visit([&](const auto& group) { return any_in(world, group, ray, range); },
+                      world.groups.front());
 }
 
 Surface surface_at(const World& world, const Ray& ray, const Hit& hit) {
@@ -112,11 +72,7 @@ const Material& material_at(const World& world, const Hit& hit, const Surface& s
 
 Vec3 local_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
                  const Vec3& to_viewer) {
-    Vec3 sum = emitted_light(material);
-    visit_lights(world, surface, normal, [&](const LightSample& light, const Vec3& visible) {
-        sum += reflected_light(material, normal, to_viewer, light, visible);
-    });
-    return sum;
+    return sum_of_lights(world, surface, material, normal, to_viewer);
 }
 
 RayCounts& ray_counts() {

@@ -2,55 +2,110 @@
 #include "common/render/shade.hpp"
 
 #include "chapters/07_recursion/radiance.hpp"
+#include "common/render/kinds.hpp"
+#include "common/render/lights.hpp"
 
 namespace rt {
 namespace {
 
 constexpr Interval everything{0, infinity};
 
-}  // namespace
+// How a ray asks the world. The functions below are made for each way, so that none of them has a choice
+// left.
 
+/// A world of several kinds of primitive, or none: each is asked.
+struct AllKinds {
+    static std::optional<Hit> closest(const World& world, const Ray& ray) {
+        return closest_hit(world, ray, everything);
+    }
+    static Surface surface(const World& world, const Ray& ray, const Hit& hit) {
+        return surface_at(world, ray, hit);
+    }
+};
+
+/// A world whose primitives are all of this kind: it alone is asked.
+template <class Kind>
+struct OnlyKind {
+    static std::optional<Hit> closest(const World& world, const Ray& ray) {
+        return closest_in(world, only_group<Kind>(world), ray, everything);
+    }
+    static Surface surface(const World& world, const Ray& ray, const Hit& hit) {
+        return surface_in(world, only_group<Kind>(world), hit.primitive, ray, hit);
+    }
+};
+
+/// The material at a hit where no material has a pattern: then nobody needs to know the surface.
+const Material& plain_material(const World& world, const Hit& hit) {
+    return world.materials[world.primitives[hit.primitive].material];
+}
+
+/// The ray's direction as a colour, (d + 1)/2 for the unit direction d.
 Vec3 direction_color(const World&, const Ray& ray) { return 0.5 * (normalize(ray.direction) + Vec3(1)); }
 
-Vec3 normal_at(const World& world, const Ray& ray, const Hit& hit) {
-    const Vec3 n = turned_to_viewer(surface_at(world, ray, hit).shading_normal, ray.direction);
+/// The unit shading normal at the nearest hit, turned to the viewer, as the colour (n + 1)/2.
+template <class Kinds>
+Vec3 normal_color(const World& world, const Ray& ray) {
+    const std::optional<Hit> hit = Kinds::closest(world, ray);
+    if (!hit) return world.background;
+    const Vec3 n = turned_to_viewer(Kinds::surface(world, ray, *hit).shading_normal, ray.direction);
     return 0.5 * (n + Vec3(1));
 }
 
-Vec3 normal_color(const World& world, const Ray& ray) {
-    const std::optional<Hit> hit = closest_hit(world, ray, everything);
-    return hit ? normal_at(world, ray, *hit) : world.background;
-}
-
+/// The texture coordinates at the nearest hit as (u, v, 0).
+template <class Kinds>
 Vec3 uv_color(const World& world, const Ray& ray) {
-    const std::optional<Hit> hit = closest_hit(world, ray, everything);
-    return hit ? Vec3(surface_at(world, ray, *hit).uv, 0) : world.background;
+    const std::optional<Hit> hit = Kinds::closest(world, ray);
+    return hit ? Vec3(Kinds::surface(world, ray, *hit).uv, 0) : world.background;
 }
 
-Vec3 lit_color(const World& world, const Ray& ray) {
-    const std::optional<Hit> hit = closest_hit(world, ray, everything);
+/// What the nearest thing shows where there are no lights and no patterns.
+template <class Kinds>
+Vec3 plain_color(const World& world, const Ray& ray) {
+    const std::optional<Hit> hit = Kinds::closest(world, ray);
     if (!hit) return world.background;
-    const Surface surface = surface_at(world, ray, *hit);
-    const Vec3 normal = turned_to_viewer(surface.shading_normal, ray.direction);
-    return local_light(world, surface, material_at(world, *hit, surface), normal, -ray.direction);
+    const Material& material = plain_material(world, *hit);
+    return material.ambient + material.emission;
 }
 
-RayColor color_function(const World& world) {
+/// The shading sum of SCENE_FORMAT.md at the nearest hit, without reflection.
+template <class Kinds>
+Vec3 lit_color(const World& world, const Ray& ray) {
+    const std::optional<Hit> hit = Kinds::closest(world, ray);
+    if (!hit) return world.background;
+    const Surface surface = Kinds::surface(world, ray, *hit);
+    const Vec3 normal = turned_to_viewer(surface.shading_normal, ray.direction);
+    const Material& material =
+        world.needs.patterns ? material_at(world, *hit, surface) : plain_material(world, *hit);
+    return sum_of_lights(world, surface, material, normal, -ray.direction);
+}
+
+template <class Kinds>
+RayColor color_function_for(const World& world) {
     switch (world.integrator) {
         case Integrator::Directions:
             return direction_color;
         case Integrator::Normals:
         case Integrator::Rasterize:
-            return normal_color;
+            return normal_color<Kinds>;
         case Integrator::Uv:
-            return uv_color;
+            return uv_color<Kinds>;
         case Integrator::Flat:
             return cast_ray;
         case Integrator::Raytrace:
             break;
     }
-    if (world.needs.reflection || world.needs.refraction) return radiance;
-    return world.needs.lights ? lit_color : cast_ray;
+    const Needs& needs = world.needs;
+    if (needs.reflection || needs.refraction) return radiance;
+    if (needs.lights) return lit_color<Kinds>;
+    return needs.patterns ? cast_ray : plain_color<Kinds>;
+}
+
+}  // namespace
+
+RayColor color_function(const World& world) {
+    if (world.groups.size() != 1) return color_function_for<AllKinds>(world);
+    return std::visit([&]<class Kind>(const Kind&) { return color_function_for<OnlyKind<Kind>>(world); },
+                      world.groups.front());
 }
 
 }  // namespace rt

@@ -45,11 +45,12 @@ std::vector<TraceRecord> trace_tree(const World& world, const Ray& ray) {
         record.local = world.background;
         record.hit = closest_hit(world, record.branch.ray, {0, infinity});
         const int index = static_cast<int>(tree.size());
+        if (world.needs.absorption && media.count > 0) {
+            const Medium& medium = media.inside[media.count - 1];
+            const Real way = record.hit ? record.hit->t : infinity;
+            record.weight *= transmitted(world.materials[medium.material].absorption, way);
+        }
         if (record.hit) {
-            if (world.needs.absorption && media.count > 0) {
-                const Medium& medium = media.inside[media.count - 1];
-                record.weight *= transmitted(world.materials[medium.material].absorption, record.hit->t);
-            }
             shade(world, record);
             if (bounces) {
                 Branch arrived = record.branch;

@@ -1,5 +1,6 @@
 // Light on a surface: what arrives from a light, and what of it goes on to the viewer.
-// The lesson uses the same letters: n for the normal, l to the light, v to the viewer, h half way, r mirrored.
+// The lesson uses the same letters: n for the normal, l to the light, v to the viewer, h half way, r
+// mirrored.
 #include "chapters/05_lighting/lighting.hpp"
 
 #include <algorithm>
@@ -10,8 +11,8 @@ namespace rt {
 LightSample sample_light(const PointLight& light, const Vec3& point) {
     // [exercise 05.1] The vector from the point to the light has the direction l and the length d. With the
     // attenuation (c, l, q) = (x, y, z) the light arrives as color / (c + l·d + q·d²). Where d is 0 return a
-    // LightSample with .distance = 0, and where the quotient is not a finite number one with the colour black:
-    // nothing that is computed from it may become NaN.
+    // LightSample with .distance = 0, and where the quotient is not a finite number one with the colour
+    // black: nothing that is computed from it may become NaN.
     const Vec3 to_light = light.position - point;
     const Real d = length(to_light);
     if (!(d > 0)) return {.distance = 0};
@@ -38,8 +39,8 @@ Real lambert(const Vec3& n, const Vec3& l) {
 
 Real blinn(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
     // [exercise 05.3] Make h = l + v a unit vector and raise n·h to the power `shininess`. Return 0 where n·h
-    // is not greater than 0, and where l and v are opposite, so that h has no direction. Rounding can make n·h
-    // a little greater than 1, and a power of that a lot: let it be 1 at most.
+    // is not greater than 0, and where l and v are opposite, so that h has no direction. Rounding can make
+    // n·h a little greater than 1, and a power of that a lot: let it be 1 at most.
     const Vec3 h = l + v;
     const Real size = length(h);
     if (!(size > 0)) return 0;
@@ -49,8 +50,8 @@ Real blinn(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
 }
 
 Real phong(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
-    // [exercise 05.4] Mirror l at n: r = 2(n·l)n − l. Raise r·v, at most 1, to the power `shininess`; return 0
-    // where it is not greater than 0.
+    // [exercise 05.4] Mirror l at n: r = 2(n·l)n − l. Raise r·v, at most 1, to the power `shininess`; return
+    // 0 where it is not greater than 0.
     const Vec3 r = 2 * dot(n, l) * n - l;
     const Real cosine = dot(r, v);
     return cosine > 0 ? std::pow(std::min(cosine, Real(1)), shininess) : 0;
@@ -59,9 +60,9 @@ Real phong(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
 
 Vec3 reflected_light(const Material& material, const Vec3& n, const Vec3& v, const LightSample& light,
                      const Vec3& visibility) {
-    // [exercise 05.5] Black where n·l ≤ 0. Else visibility · color · (diffuse · lambert + specular · highlight),
-    // the highlight by blinn or phong as material.highlight says. Where specular is black, compute none: most
-    // surfaces are matt, and a power is the most expensive thing here.
+    // [exercise 05.5] Black where n·l ≤ 0. Else visibility · color · (diffuse · lambert + specular ·
+    // highlight), the highlight by blinn or phong as material.highlight says. Where specular is black,
+    // compute none: most surfaces are matt, and a power is the most expensive thing here.
     const Vec3& l = light.direction;
     const Real cosine = lambert(n, l);
     if (!(cosine > 0)) return Vec3(0);

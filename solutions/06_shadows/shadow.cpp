@@ -9,9 +9,9 @@
 namespace rt {
 
 Vec3 offset_origin(const Surface& surface, const Vec3& direction) {
-    // [exercise 06.1] The box of the error bound e around the point reaches d = Σ |nᵢ|·eᵢ far along the normal
-    // n (the geometric one). Move the point by d·n, or by −d·n where the direction points to the other side.
-    // The addition was rounded: move each coordinate on to the next number away from the surface
+    // [exercise 06.1] The box of the error bound e around the point reaches d = Σ |nᵢ|·eᵢ far along the
+    // normal n (the geometric one). Move the point by d·n, or by −d·n where the direction points to the other
+    // side. The addition was rounded: move each coordinate on to the next number away from the surface
     // (std::nextafter, up where that coordinate of the offset is positive, down where it is negative).
     const Vec3& n = surface.normal;
     const Real d = dot(glm::abs(n), surface.error);
@@ -27,9 +27,9 @@ Vec3 offset_origin(const Surface& surface, const Vec3& direction) {
 
 ShadowRay shadow_ray(const Surface& surface, const LightSample& light) {
     // [exercise 06.2] Start at the offset origin. To a light infinitely far away go in the light's direction,
-    // without end. Else aim anew, because the origin has moved: the vector to the light is distance · direction
-    // less the offset, and its length is the new distance d. Hits count in (0, d·(1 − gamma(16))]: that much
-    // may be rounding, and what holds the light must not hide it. Where d is 0, nothing counts.
+    // without end. Else aim anew, because the origin has moved: the vector to the light is distance ·
+    // direction less the offset, and its length is the new distance d. Hits count in (0, d·(1 − gamma(16))]:
+    // that much may be rounding, and what holds the light must not hide it. Where d is 0, nothing counts.
     const Vec3 origin = offset_origin(surface, light.direction);
     if (light.distance == infinity) return {{origin, light.direction}, {0, infinity}};
     const Vec3 to_light = light.distance * light.direction - (origin - surface.point);
@@ -48,8 +48,8 @@ Vec3 visibility(const World& world, const ShadowRay& shadow) {
 
 Vec3 colored_visibility(const World& world, const ShadowRay& shadow) {
     // [exercise 06.4] Start with white. As long as there is a closest hit in the range: multiply by the
-    // transmission of its material (surface_at, then material_at), and go on behind it by raising range.min to
-    // its t. Stop where nothing is hit any more, or when the product is black.
+    // transmission of its material (surface_at, then material_at), and go on behind it by raising range.min
+    // to its t. Stop where nothing is hit any more, or when the product is black.
     Vec3 part(1);
     Interval range = shadow.range;
     while (const std::optional<Hit> hit = closest_hit(world, shadow.ray, range)) {

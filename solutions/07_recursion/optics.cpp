@@ -8,9 +8,9 @@ namespace rt {
 namespace {
 
 /// cosₜ² by Snell's law, negative where reflection is total.
-Real refracted_cosine_squared(Real cos_i, Real eta) {
-    // [exercise 07.2] Snell's law says sinₜ = eta·sinᵢ, so cosₜ² = 1 − eta²·(1 − cosᵢ²). Return that in the form
-    // (1 − eta)·(1 + eta) + (eta·cosᵢ)², in which the large terms have cancelled on paper already.
+[[maybe_unused]] Real refracted_cosine_squared(Real cos_i, Real eta) {
+    // [exercise 07.2] Snell's law says sinₜ = eta·sinᵢ, so cosₜ² = 1 − eta²·(1 − cosᵢ²). Return that in the
+    // form (1 − eta)·(1 + eta) + (eta·cosᵢ)², in which the large terms have cancelled on paper already.
     return (1 - eta) * (1 + eta) + (eta * cos_i) * (eta * cos_i);
     // [/exercise]
 }

@@ -10,25 +10,27 @@
 namespace rt {
 namespace {
 
-Real ior(const World& world, const Media& media) {
+[[maybe_unused]] Real ior(const World& world, const Media& media) {
     return media.count == 0 ? 1 : world.materials[media.inside[media.count - 1].material].ior;
 }
 
 /// What is left of light after `distance` in the medium around the ray.
-Vec3 left_after(const World& world, const Media& media, Real distance) {
+[[maybe_unused]] Vec3 left_after(const World& world, const Media& media, Real distance) {
     if (media.count == 0) return Vec3(1);
     return transmitted(world.materials[media.inside[media.count - 1].material].absorption, distance);
 }
 
-Vec3 turned_against(const Vec3& n, const Vec3& d) { return dot(n, d) > 0 ? -n : n; }
+[[maybe_unused]] Vec3 turned_against(const Vec3& n, const Vec3& d) { return dot(n, d) > 0 ? -n : n; }
 
 /// Appends a ray that leaves the surface, unless nothing worth following would arrive along it.
-void add(const World& world, Branches& branches, const Branch& incoming, const Surface& surface, RayKind kind,
-         const Vec3& direction, const Vec3& factor, const Media& media) {
+[[maybe_unused]] void add(const World& world, Branches& branches, const Branch& incoming,
+                          const Surface& surface, RayKind kind, const Vec3& direction, const Vec3& factor,
+                          const Media& media) {
     const Vec3 weight = incoming.weight * factor;
     if (!(std::max({weight.x, weight.y, weight.z}) > world.min_contribution)) return;
     const Ray ray{offset_origin(surface, direction), direction, incoming.ray.time};
-    branches.branch[static_cast<std::size_t>(branches.count++)] = {ray, weight, incoming.depth + 1, kind, media};
+    branches.branch[static_cast<std::size_t>(branches.count++)] = {ray, weight, incoming.depth + 1, kind,
+                                                                   media};
 }
 
 }  // namespace
@@ -78,8 +80,7 @@ Branches scatter(const World& world, const Branch& incoming, const Hit& hit, con
     const std::optional<Vec3> refracted = refract(d, n, eta);
     if (!refracted) mirror = Vec3(1);
     add(world, branches, incoming, surface, RayKind::Reflection, reflect(d, n), mirror, incoming.media);
-    if (refracted)
-        add(world, branches, incoming, surface, RayKind::Refraction, *refracted, through, after);
+    if (refracted) add(world, branches, incoming, surface, RayKind::Refraction, *refracted, through, after);
     return branches;
     // [/exercise]
 }

@@ -177,7 +177,7 @@ TEST_CASE("the error bound of the point holds and is not wasteful", "[02.4]") {
         for (int axis = 0; axis < 3; ++axis) {
             CHECK(off[axis] <= surface.error[axis]);
             CHECK(surface.error[axis] <=
-                  8 * unit_roundoff * (c.sphere.radius + std::abs(surface.point[axis])));
+                  12 * unit_roundoff * (c.sphere.radius + std::abs(surface.point[axis])));
         }
     }
 }

@@ -1,0 +1,157 @@
+// Affine maps: matrices, their stack, their inverse, and what they do to points, vectors, normals and rays.
+#include "chapters/04_transforms/transform.hpp"
+
+#include "chapters/03_triangles/triangle.hpp"
+#include "common/math/error.hpp"
+#include "common/math/todo.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+
+Mat4 translation(const Vec3& by) {
+    // 04.1  Start from the identity, Mat4(1). GLM's matrices are written column by column:
+    // m[3] is the last column, where a translation stands.
+    return todo("04.1");
+}
+
+Mat4 scaling(const Vec3& by) {
+    // 04.1  The factors stand on the diagonal: m[0][0], m[1][1], m[2][2].
+    return todo("04.1");
+}
+
+Mat4 rotation(const Vec3& axis, Real angle) {
+    // 04.2  Column i is the image of the i-th axis e. Rodrigues: with the unit axis k, a vector v turns
+    // into cos·v + (1 − cos)·(k·v)·k + sin·(k × v); for v = e, k·v is k[i]. The axis may be tiny or huge: unit_vector
+    // of chapter 3 brings it to length 1 without overflow.
+    return todo("04.2");
+}
+
+Mat4 matrix(const TransformStep& step) {
+    if (const auto* translate = std::get_if<Translate>(&step)) return translation(translate->by);
+    if (const auto* rotate = std::get_if<Rotate>(&step)) return rotation(rotate->axis, rotate->angle);
+    return scaling(std::get<Scale>(step).by);
+}
+
+std::vector<Mat4> compose(std::span<const TransformNode> nodes) {
+    // 04.3  For each node in order: its matrix is that of its parent (the identity where parent
+    // is −1) times matrix(node.step). Parents come first, so theirs is there already.
+    return todo("04.3");
+}
+
+namespace {
+
+/// The element of I − M·X in the given row and column of the linear parts, computed with twice the digits
+/// (Ogita, Rump & Oishi 2005): what is left of 1 − 1 is not rounding error.
+Real missing(const Mat4& m, const Mat4& x, int row, int column) {
+    Real sum = row == column ? 1 : 0, lost = 0;
+    for (int k = 0; k < 3; ++k) {
+        const Real product = -m[k][row] * x[column][k];
+        const Real next = sum + product, added = next - sum;
+        lost += std::fma(-m[k][row], x[column][k], -product) + ((product - added) + (sum - (next - added)));
+        sum = next;
+    }
+    return sum + lost;
+}
+
+/// The inverse of `m` from a rough one, linear parts only, or nothing if `rough` is not rough but wrong.
+/// Newton's step X + X·(I − M·X) squares what is missing (Schulz 1933), so six of them make the last bits
+/// right. That ‖I − M·X‖ is less than 1 in the end proves that M is not singular.
+std::optional<Mat4> refined(const Mat4& m, const Mat4& rough) {
+    Mat4 x = rough;
+    for (int step = 0; step < 6; ++step) {
+        Mat3 rest;
+        for (int c = 0; c < 3; ++c)
+            for (int r = 0; r < 3; ++r) rest[c][r] = missing(m, x, r, c);
+        const Mat3 more = Mat3(x) * rest;
+        for (int c = 0; c < 3; ++c) x[c] += Vec4(more[c], 0);
+    }
+    for (int r = 0; r < 3; ++r) {
+        Real row_sum = 0;
+        for (int c = 0; c < 3; ++c) row_sum += std::abs(missing(m, x, r, c));
+        // A NaN fails this too.
+        if (!(row_sum < 0.5)) return std::nullopt;
+    }
+    return x;
+}
+
+}  // namespace
+
+std::optional<Mat4> inverse(const Mat4& m) {
+    // Rows are scaled by powers of two, which rounds nothing, so that the greatest element of each is in [1, 2):
+    // then a matrix of millimetres is as good as one of light years.
+    Mat4 scaled(1);
+    Vec3 factor(1);
+    for (int r = 0; r < 3; ++r) {
+        const Real greatest = std::max({std::abs(m[0][r]), std::abs(m[1][r]), std::abs(m[2][r])});
+        if (!(greatest > 0) || !std::isfinite(greatest)) return std::nullopt;
+        factor[r] = std::ldexp(Real(1), -std::ilogb(greatest));
+        for (int c = 0; c < 3; ++c) scaled[c][r] = m[c][r] * factor[r];
+    }
+
+    Mat4 rough(1);
+    // 04.4  Put the inverse of the upper left 3×3 of `scaled` into that of `rough`, by Gauss–Jordan
+    // elimination: write the identity beside the matrix; column by column choose the pivot, the greatest
+    // |element| that is left in the column, and swap its row into place; divide that row by the pivot; subtract
+    // multiples of it from the other rows, so that the column becomes one of the identity. Where the pivot is 0
+    // the matrix is singular: return nothing.
+    return todo("04.4");
+
+    const std::optional<Mat4> fine = refined(scaled, rough);
+    if (!fine) return std::nullopt;
+    Mat4 result(1);
+    // 04.4  `fine` is right to the last bits, for `scaled`. The columns of the result are its columns,
+    // each times the `factor` of the row with the same number. Then its last column: a translation by t is
+    // undone by −L⁻¹·t, with t = m[3].
+    return todo("04.4");
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 3; ++r)
+            if (!std::isfinite(result[c][r])) return std::nullopt;
+    return result;
+}
+
+Vec3 transform_point(const Mat4& m, const Vec3& p) {
+    // 04.5  M·(p, 1), without its fourth coordinate.
+    return todo("04.5");
+}
+
+Vec3 transform_vector(const Mat4& m, const Vec3& v) {
+    // 04.5  M·(v, 0): the translation does not act.
+    return todo("04.5");
+}
+
+Vec3 transform_normal(const Mat4& inverse, const Vec3& n) {
+    // 04.5  The transpose of the inverse's linear part, times n: each coordinate is the dot
+    // product of one column of `inverse` with n.
+    return todo("04.5");
+}
+
+Ray to_local(const Transform& transform, const Ray& ray) {
+    // 04.5  Origin as a point, direction as a vector, both by the inverse; time stays. Do not
+    // make the direction a unit vector: then t is the same number in both spaces.
+    return todo("04.5");
+}
+
+Surface to_world(const Transform& transform, const Surface& local) {
+    const Mat4& m = transform.to_world;
+    const Mat4& back = transform.to_local;
+    // Σ |a|·p, what the rounding of a·p is measured by.
+    const auto magnitude = [](const Mat4& a, const Vec3& p) {
+        return abs(Vec3(a[0])) * p.x + abs(Vec3(a[1])) * p.y + abs(Vec3(a[2])) * p.z;
+    };
+    Surface world = local;
+    world.point = transform_point(m, local.point);
+    world.normal = unit_vector(transform_normal(back, local.normal));
+    world.shading_normal = unit_vector(transform_normal(back, local.shading_normal));
+    // Given; chapter 6 needs it. A ray that starts here goes back through the inverse. Where does it arrive? Beside
+    // the local point by what can be seen now, and by the rounding of this way back and of that one, gamma(4) each.
+    const Vec3 way_back = abs(transform_point(back, world.point) - local.point) +
+                          gamma(8) * (magnitude(back, abs(world.point)) + abs(Vec3(back[3])));
+    // All that is wrong locally is wrong in the world by |M| as much; the way here was rounded too.
+    world.error = (1 + gamma(4)) * magnitude(m, local.error + way_back) +
+                  gamma(4) * (magnitude(m, abs(local.point)) + abs(Vec3(m[3])));
+    return world;
+}
+
+}  // namespace rt

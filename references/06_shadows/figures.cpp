@@ -1,0 +1,247 @@
+// Draws the figures of lesson 6 into the directory that it is given.
+// Numbers in the figures are computed here, by the course's own functions where there is one.
+#include "chapters/01_ray_casting/camera.hpp"
+#include "chapters/06_shadows/shadow.hpp"
+#include "common/image/file.hpp"
+#include "common/image/svg.hpp"
+#include "common/render/compile.hpp"
+#include "common/render/render.hpp"
+#include "common/scene/parse.hpp"
+#include "tests/stability/shadows.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using namespace rt;
+
+namespace {
+
+using namespace svg_color;
+using Path = std::filesystem::path;
+
+const SvgFont label{.size = 17, .italic = true};
+const SvgFont note{.size = 14, .color = grey};
+const SvgFont middle{.size = 14, .anchor = "middle"};
+
+SvgFont colored(SvgFont font, const char* color) {
+    font.color = color;
+    return font;
+}
+
+void dot_at(Svg& svg, Vec2 at, const char* color, Real radius = 5) {
+    circle(svg, at, radius, {.stroke = "none", .fill = color});
+}
+
+void cross_at(Svg& svg, Vec2 at, const char* color, Real size = 6) {
+    line(svg, at - Vec2(size, size), at + Vec2(size, size), {.stroke = color, .width = 2.5});
+    line(svg, at - Vec2(size, -size), at + Vec2(size, -size), {.stroke = color, .width = 2.5});
+}
+
+// What a shadow ray asks --------------------------------------------------------------------------------
+
+void draw_shadow_ray(const Path& directory) {
+    Svg svg{.width = 700, .height = 300};
+    const Real floor = 250;
+    rectangle(svg, {20, floor}, {660, 9}, {.stroke = "none", .fill = light});
+    line(svg, {20, floor}, {680, floor}, {.stroke = ink, .width = 2});
+    const Vec2 lamp(520, 70), eye(70, 110), ball(395, 138), lit(610, floor), dark(230, floor);
+    const Real radius = 38;
+    circle(svg, ball, radius, {.stroke = ink, .width = 2, .fill = "#eef3f7"});
+    circle(svg, {640, 40}, 26, {.stroke = grey, .width = 2, .fill = "#f5f5f5"});
+    for (const Vec2& p : {lit, dark}) arrow(svg, eye, p, {.stroke = blue, .width = 1.4}, 9);
+    arrow(svg, lit, lamp, {.stroke = green, .width = 2.2, .dash = "6 4"});
+    const Vec2 d = glm::normalize(lamp - dark);
+    const Real along = glm::dot(ball - dark, d);
+    const Real off = std::abs(d.x * (ball - dark).y - d.y * (ball - dark).x);
+    const Vec2 stop = dark + (along - std::sqrt(radius * radius - off * off)) * d;
+    line(svg, dark, stop, {.stroke = red, .width = 2.2, .dash = "6 4"});
+    cross_at(svg, stop, red);
+    dot_at(svg, lamp, orange, 9);
+    circle(svg, lamp, 9, {.stroke = ink});
+    dot_at(svg, eye, ink, 6);
+    for (const Vec2& p : {lit, dark}) dot_at(svg, p, ink, 4);
+    text(svg, eye + Vec2(-8, -14), "eye");
+    text(svg, lamp + Vec2(-18, -18), "lamp");
+    text(svg, {575, 152}, "nothing between:", colored(SvgFont{.size = 14}, green));
+    text(svg, {575, 170}, "lit", colored(SvgFont{.size = 14}, green));
+    text(svg, {182, 186}, "something", colored(SvgFont{.size = 14}, red));
+    text(svg, {182, 204}, "between", colored(SvgFont{.size = 14}, red));
+    text(svg, {640, 84}, "behind the lamp:", colored(middle, grey));
+    text(svg, {640, 101}, "does not matter", colored(middle, grey));
+    text(svg, {dark.x, 281}, "in shadow", middle);
+    text(svg, {lit.x, 281}, "in light", middle);
+    write_svg(directory / "shadow_ray.svg", svg);
+}
+
+// The box of the error ----------------------------------------------------------------------------------
+
+void draw_offset(const Path& directory) {
+    Svg svg{.width = 700, .height = 360};
+    const Vec2 point(300, 215), e(85, 48);
+    const Real lean = radians(28);
+    const Vec2 n(std::sin(lean), -std::cos(lean)), tangent(std::cos(lean), std::sin(lean));
+    const Real d = std::abs(n.x) * e.x + std::abs(n.y) * e.y;
+    const Real below = 33;  // how far the exact surface is below the point, along n
+    const Vec2 on_surface = point - below * n;
+    line(svg, on_surface - Real(170) * tangent, on_surface + Real(270) * tangent,
+         {.stroke = ink, .width = 2.5});
+    text(svg, on_surface + Real(215) * tangent + Vec2(8, 26), "the exact surface");
+    line(svg, point - d * n - Real(115) * tangent, point - d * n + Real(240) * tangent,
+         {.stroke = grey, .width = 1.2, .dash = "5 4"});
+    line(svg, point + d * n - Real(115) * tangent, point + d * n + Real(240) * tangent,
+         {.stroke = grey, .width = 1.2, .dash = "5 4"});
+    rectangle(svg, point - e, Real(2) * e, {.stroke = blue, .width = 2, .fill = "#dcebf5", .opacity = 0.75});
+    const Vec2 origin = point + d * n;
+    const Vec2 corner(point.x + e.x, point.y - e.y);
+    dot_at(svg, corner, blue, 4);
+    arrow(svg, point, origin, {.stroke = red, .width = 2.4});
+    const Vec2 l = glm::normalize(Vec2(0.9, 0.18));
+    arrow(svg, origin, origin + Real(300) * l, {.stroke = green, .width = 2.2});
+    dot_at(svg, point, ink);
+    dot_at(svg, origin, green, 6);
+    text(svg, point + Vec2(-66, 6), "point", label);
+    text(svg, origin + Vec2(-30, -16), "origin", colored(label, green));
+    text(svg, point + Real(0.5) * d * n + Vec2(-34, -2), "d·n", colored(label, red));
+    text(svg, {point.x - 62, point.y - e.y - 9}, "e.x", colored(label, blue));
+    text(svg, {point.x - e.x - 40, point.y + e.y / 2}, "e.y", colored(label, blue));
+    text(svg, origin + Real(225) * l + Vec2(0, -10), "to the light", colored(SvgFont{.size = 15}, green));
+    text(svg, {24, 30}, "d = |n.x|·e.x + |n.y|·e.y + |n.z|·e.z", {.size = 16, .italic = true});
+    text(svg, {24, 54}, "The box is where the exact point may be.", note);
+    text(svg, {24, 74}, "Along n it reaches from −d to d.", note);
+    write_svg(directory / "offset.svg", svg);
+}
+
+// Pictures with other shadow rays -----------------------------------------------------------------------
+
+using Method = ShadowRay (*)(const Surface&, const LightSample&);
+
+/// The picture of a world, its shadow rays made by `method`.
+Image picture(const World& world, Method method) {
+    Image image = make_image(world.view.width, world.view.height);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Ray ray = pixel_ray(world.view, x + 0.5, y + 0.5);
+            Vec3& color = pixel(image, x, y) = world.background;
+            const std::optional<Hit> hit = closest_hit(world, ray, {0, infinity});
+            if (!hit) continue;
+            const Surface surface = surface_at(world, ray, *hit);
+            const Vec3 n = dot(surface.shading_normal, ray.direction) > 0 ? -surface.shading_normal
+                                                                          : surface.shading_normal;
+            const Material& material = material_at(world, *hit, surface);
+            color = emitted_light(material);
+            const auto shine = [&](const LightSample& light) {
+                if (!(dot(n, light.direction) > 0)) return;
+                const Vec3 part = visibility(world, method(surface, light));
+                color += reflected_light(material, n, -ray.direction, light, part);
+            };
+            for (const PointLight& light : world.point_lights) shine(sample_light(light, surface.point));
+            for (const DirectionalLight& light : world.directional_lights)
+                shine(sample_light(light, surface.point));
+        }
+    return image;
+}
+
+Scene scene_named(const std::string& name, int width, int height) {
+    Scene scene = parse_scene(Path(__FILE__).parent_path() / (name + ".scene"));
+    scene.width = width;
+    scene.height = height;
+    return scene;
+}
+
+/// Everything that is a length times `factor`; what these scenes do not have is left out.
+void scale(Scene& scene, Real factor) {
+    scene.camera.eye *= factor;
+    scene.camera.look_at *= factor;
+    for (Vec3& vertex : scene.vertices) vertex *= factor;
+    for (Material& material : scene.materials) material.checker.size *= factor;
+    for (Object& object : scene.objects)
+        if (auto* sphere = std::get_if<Sphere>(&object.shape))
+            sphere->center *= factor, sphere->radius *= factor;
+    for (Light& light : scene.lights)
+        if (auto* point = std::get_if<PointLight>(&light)) {
+            point->position *= factor;
+            point->attenuation *= Vec3(1, 1 / factor, 1 / (factor * factor));
+        }
+}
+
+/// Images beside each other, in rows, with white between them.
+Image in_rows(const std::vector<Image>& images, int columns) {
+    const int gap = 6, width = images[0].width, height = images[0].height;
+    const int rows = static_cast<int>(images.size()) / columns;
+    Image all = make_image(columns * (width + gap) - gap, rows * (height + gap) - gap);
+    for (Vec3& p : all.pixels) p = Vec3(1);
+    for (int i = 0; i < static_cast<int>(images.size()); ++i)
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                pixel(all, i % columns * (width + gap) + x, i / columns * (height + gap) + y) =
+                    pixel(images[static_cast<std::size_t>(i)], x, y);
+    return all;
+}
+
+void draw_acne(const Path& directory) {
+    const World world = compile(scene_named("shadows", 192, 144));
+    write_image(directory / "acne.png",
+                in_rows({picture(world, naive::shadow_ray_without_offset), picture(world, shadow_ray)}, 2));
+}
+
+/// A fixed epsilon of 1e-4 above, the derived offset below, in scenes of three sizes.
+void draw_scales(const Path& directory) {
+    std::vector<Image> images;
+    for (const Method method : {Method{naive::shadow_ray_with_epsilon}, Method{shadow_ray}})
+        for (const Real factor : {2e-5, 1.0, 1e12}) {
+            Scene scene = scene_named("shadows", 144, 108);
+            scale(scene, factor);
+            images.push_back(picture(compile(scene), method));
+        }
+    write_image(directory / "scales.png", in_rows(images, 3));
+}
+
+/// Counts of self hits and lost occluders by family and method.
+void write_methods(const Path& directory) {
+    struct {
+        const char* name;
+        Method method;
+    } const methods[] = {{"no offset", naive::shadow_ray_without_offset},
+                         {"fixed epsilon 1e-4", naive::shadow_ray_with_epsilon},
+                         {"integer offset with fixed constants", naive::shadow_ray_by_integers},
+                         {"offset from the error bound", shadow_ray}};
+    constexpr std::size_t count = 100'000, part = 10'000;
+    std::string csv = "family,extremes,method,shadow rays,self hits,lost occluders\n";
+    for (const stability::ShadowFamily& family : stability::shadow_families()) {
+        std::vector<stability::ShadowVerdict> verdicts(std::size(methods));
+        for (std::size_t first = 0; first < count; first += part) {
+            const auto cases = stability::make_cases(family, part, 600 + first);
+            for (std::size_t i = 0; i < std::size(methods); ++i) {
+                std::vector<ShadowRay> rays;
+                for (const auto& one : cases) rays.push_back(methods[i].method(one.surface, one.light));
+                add(verdicts[i], judge(cases, rays));
+            }
+        }
+        for (std::size_t i = 0; i < std::size(methods); ++i)
+            csv += fmt::format("{},\"{}\",{},{},{},{}\n", family.name, family.extremes, methods[i].name,
+                               count, verdicts[i].self_hits, verdicts[i].lost);
+    }
+    write_file(directory / "methods.csv", csv);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "usage: figures_06 DIRECTORY\n";
+        return 2;
+    }
+    const Path directory = argv[1];
+    draw_shadow_ray(directory);
+    draw_offset(directory);
+    draw_acne(directory);
+    draw_scales(directory);
+    write_methods(directory);
+    for (const char* name : {"shadows", "sun", "colored", "transformed", "large_floor"})
+        write_image(directory / (std::string(name) + ".png"),
+                    render(compile(scene_named(name, 240, 180))).image);
+}

@@ -1,0 +1,475 @@
+// Draws the figures of lesson 7 into the directory that it is given.
+// Numbers in the figures are computed here, by the course's own functions where there is one.
+#include "chapters/07_recursion/optics.hpp"
+#include "common/image/file.hpp"
+#include "common/image/svg.hpp"
+#include "common/render/compile.hpp"
+#include "common/render/render.hpp"
+#include "common/render/trace.hpp"
+#include "common/scene/parse.hpp"
+#include "tests/stability/optics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using namespace rt;
+
+namespace {
+
+using namespace svg_color;
+using Path = std::filesystem::path;
+
+const SvgFont note{.size = 14, .color = grey};
+const SvgFont small{.size = 13};
+const SvgFont heading{.size = 17, .anchor = "middle", .bold = true};
+
+SvgFont middle(SvgFont font) {
+    font.anchor = "middle";
+    return font;
+}
+SvgFont colored(SvgFont font, const char* color) {
+    font.color = color;
+    return font;
+}
+
+void dot_at(Svg& svg, Vec2 at, const char* color = ink, Real radius = 3.5) {
+    circle(svg, at, radius, {.stroke = "none", .fill = color});
+}
+
+Path scene_file(const std::string& name) { return Path(__FILE__).parent_path() / (name + ".scene"); }
+
+const char* color_of(RayKind kind) {
+    return kind == RayKind::Camera ? ink : kind == RayKind::Reflection ? red : blue;
+}
+
+// Axes -------------------------------------------------------------------------------------------------
+
+/// A plot with an axis on which equal factors, or equal differences, are equally long.
+struct Axis {
+    Real low, high;
+    bool logarithmic = false;
+    Real share(Real value) const {
+        return logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+    }
+};
+struct Plot {
+    Vec2 corner, size;  ///< top left, pixels
+    Axis x, y;
+    Vec2 place(Real a, Real b) const { return corner + Vec2(x.share(a) * size.x, (1 - y.share(b)) * size.y); }
+};
+
+void draw_axes(Svg& svg, const Plot& plot, const std::vector<std::pair<Real, std::string>>& xs,
+               const std::vector<std::pair<Real, std::string>>& ys) {
+    for (const auto& [value, words] : ys) {
+        line(svg, plot.place(plot.x.low, value), plot.place(plot.x.high, value),
+             {.stroke = light, .width = 1});
+        text(svg, plot.place(plot.x.low, value) + Vec2(-8, 5), words, {.size = 13, .anchor = "end"});
+    }
+    for (const auto& [value, words] : xs) {
+        line(svg, plot.place(value, plot.y.low), plot.place(value, plot.y.low) + Vec2(0, 5), {.width = 1});
+        text(svg, plot.place(value, plot.y.low) + Vec2(0, 20), words, middle(small));
+    }
+    line(svg, plot.corner, plot.corner + Vec2(0, plot.size.y));
+    line(svg, plot.corner + Vec2(0, plot.size.y), plot.corner + plot.size);
+}
+
+// The tree of rays -------------------------------------------------------------------------------------
+
+void draw_tree(const Path& directory) {
+    // A cut through a scene in the plane z = 0: a ball of glass over a mirror, a lamp, a wall.
+    const Scene scene = parse_scene_text(
+        "size 4 4\nmaxdepth 3\ncamera -3.6 2.1 0  0 0.9 0  0 1 0  40\nambient 0 0 0\nbackground .6 .75 .95\n"
+        "transmission 1 1 1\nior 1.5\nfresnel exact\nsphere 0 1.05 0 .8\ntransmission 0 0 0\n"
+        "specular .7 .7 .7\nplane 0 0 0  0 1 0\n",
+        "figure");
+    const World world = compile(scene);
+    const Ray ray{{-3.6, 2.1, 0}, glm::normalize(Vec3(3.2, -0.72, 0))};
+    const std::vector<TraceRecord> tree = trace_tree(world, ray);
+
+    Svg svg{.width = 700, .height = 400};
+    text(svg, {170, 26}, "The rays", heading);
+    text(svg, {530, 26}, "Their tree", heading);
+    const auto place = [](const Vec3& p) { return Vec2(188 + 46 * p.x, 280 - 46 * p.y); };
+    const auto round_place = [](Real angle) {
+        return Vec3(0.8 * std::cos(angle), 1.05 + 0.8 * std::sin(angle), 0);
+    };
+    std::vector<Vec2> ball;
+    for (int i = 0; i < 72; ++i) ball.push_back(place(round_place(2 * pi * i / 72)));
+    polygon(svg, ball, {.stroke = sky, .width = 2, .fill = "#eaf5fc"});
+    rectangle(svg, {15, 280}, {325, 9}, {.stroke = "none", .fill = light});
+    line(svg, {15, 280}, {340, 280}, {.width = 2});
+    text(svg, {20, 308}, "mirror, specular 0.7", note);
+    text(svg, place({0.9, 1.75, 0}), "glass", note);
+
+    // Where in the second picture each ray has its node: a row a depth, leaves one beside the other.
+    std::vector<std::vector<std::size_t>> children(tree.size());
+    for (std::size_t i = 1; i < tree.size(); ++i)
+        children[static_cast<std::size_t>(tree[i].parent)].push_back(i);
+    std::size_t leaves = 0, all_leaves = 0;
+    for (const auto& c : children) all_leaves += c.empty();
+    std::vector<Vec2> node(tree.size());
+    const std::function<void(std::size_t)> arrange = [&](std::size_t i) {
+        const Real y = 66 + 88.0 * tree[i].branch.depth;
+        if (children[i].empty()) {
+            node[i] = {372 + 310 * (static_cast<Real>(leaves++) + 0.5) / static_cast<Real>(all_leaves), y};
+            return;
+        }
+        for (const std::size_t c : children[i]) arrange(c);
+        node[i] = {(node[children[i].front()].x + node[children[i].back()].x) / 2, y};
+    };
+    arrange(0);
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        const TraceRecord& r = tree[i];
+        const SvgStyle style{.stroke = color_of(r.branch.kind), .width = 1.4 + 1.4 * r.weight.y};
+        const Vec3& o = r.branch.ray.origin;
+        const Vec3 end = o + (r.hit ? r.hit->t : 0.7) * r.branch.ray.direction;
+        arrow(svg, place(o), place(end), style, 8);
+        if (i > 0) line(svg, node[static_cast<std::size_t>(r.parent)], node[i], style);
+    }
+    dot_at(svg, place(ray.origin), purple, 6);
+    text(svg, place(ray.origin) + Vec2(-8, -12), "eye", small);
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        const TraceRecord& r = tree[i];
+        circle(svg, node[i], 9, {.stroke = color_of(r.branch.kind), .width = 2, .fill = "#ffffff"});
+        const bool glass = r.hit && world.materials[r.material].transmission.x > 0;
+        text(svg, node[i] + Vec2(0, 4.5), !r.hit ? "s" : glass ? "g" : "m", middle(SvgFont{.size = 12}));
+        text(svg, node[i] + Vec2(13, 5), decimal(r.branch.weight.y, r.branch.weight.y < 0.1 ? 3 : 2),
+             {.size = 12, .color = ink});
+    }
+    text(svg, {372, 385}, "g glass, m mirror, s sky; beside: weight", note);
+    text(svg, {20, 345}, "red: reflected, blue: refracted", note);
+    text(svg, {20, 365}, "the thicker, the more it weighs", note);
+    write_svg(directory / "tree.svg", svg);
+}
+
+// Snell ------------------------------------------------------------------------------------------------
+
+void draw_snell(const Path& directory) {
+    Svg svg{.width = 700, .height = 370};
+    const std::array<const char*, 4> colors{green, blue, orange, red};
+    const auto draw = [&](Vec2 center, bool into, const std::vector<Real>& angles, const char* words) {
+        text(svg, {center.x, 26}, words, heading);
+        const Real eta = into ? 1 / 1.5 : 1.5, y = into ? 0 : -130;
+        rectangle(svg, center + Vec2(-160, y), {320, 130}, {.stroke = "none", .fill = "#eaf5fc"});
+        line(svg, center + Vec2(-160, 0), center + Vec2(160, 0), {.stroke = sky, .width = 2});
+        line(svg, center + Vec2(0, -130), center + Vec2(0, 130), {.stroke = grey, .width = 1, .dash = "5 4"});
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            const Real angle = radians(angles[i]);
+            const Vec3 d(std::sin(angle), -std::cos(angle), 0), n(0, 1, 0);
+            const SvgStyle style{.stroke = colors[i], .width = 2};
+            const auto at = [&](const Vec3& p) { return center + 122.0 * Vec2(p.x, -p.y); };
+            line(svg, at(-d), center, style);
+            const auto t = refract(d, n, eta);
+            arrow(svg, center, at(t ? *t : reflect(d, n)), style, 8);
+            text(svg, center + 138.0 * Vec2(-d.x, d.y) + Vec2(0, 4), decimal(angles[i], 1) + "°",
+                 middle(colored(small, colors[i])));
+            const Real out = t ? std::asin(t->x) * 180 / pi : 0;
+            if (t && angles[i] > 0)
+                text(svg, center + 138.0 * Vec2(t->x, -t->y) + Vec2(0, 8), decimal(out, 1) + "°",
+                     middle(colored(small, colors[i])));
+        }
+    };
+    draw({178, 190}, true, {20, 45, 75}, "Into glass, eta = 1/1.5");
+    draw({522, 190}, false, {15, 30, 41.5, 55}, "Out of glass, eta = 1.5");
+    text(svg, {350, 356}, "Out of glass nothing is refracted beyond 41.8°: the red ray is mirrored whole.",
+         middle(note));
+    write_svg(directory / "snell.svg", svg);
+}
+
+// Fresnel and Schlick ----------------------------------------------------------------------------------
+
+void draw_fresnel(const Path& directory) {
+    std::string csv = "degrees,into_exact,into_schlick,into_error,out_exact,out_schlick,out_error\n";
+    Svg svg{.width = 700, .height = 440};
+    text(svg, {350, 26}, "Reflected part of the light, glass with ior 1.5", heading);
+    const Plot plot{{70, 45}, {600, 220}, {0, 90}, {0, 1}};
+    const Plot below{{70, 300}, {600, 85}, {0, 90}, {-0.06, 0.06}};
+    draw_axes(svg, plot, {}, {{0, "0"}, {0.25, "0.25"}, {0.5, "0.5"}, {0.75, "0.75"}, {1, "1"}});
+    draw_axes(svg, below,
+              {{0, "0°"}, {15, "15°"}, {30, "30°"}, {45, "45°"}, {60, "60°"}, {75, "75°"}, {90, "90°"}},
+              {{-0.05, "−0.05"}, {0, "0"}, {0.05, "0.05"}});
+    std::array<std::vector<Vec2>, 2> exact, approximate, error;
+    const std::array<Real, 2> etas{1 / 1.5, 1.5};
+    std::array<Real, 2> worst{0, 0}, worst_at{0, 0};
+    for (int i = 0; i <= 900; ++i) {
+        const Real degrees = i / 10.0, cosine = std::max(std::cos(radians(degrees)), 0.0);
+        if (i % 10 == 0) csv += decimal(degrees, 0);
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Real f = fresnel(cosine, etas[k]), s = schlick(cosine, etas[k]);
+            if (std::abs(s - f) > std::abs(worst[k])) worst[k] = s - f, worst_at[k] = degrees;
+            // Steeper near the critical angle than a step of a degree can show.
+            if (i % 2 == 0 || (i > 410 && i < 424)) {
+                exact[k].push_back(plot.place(degrees, f));
+                approximate[k].push_back(plot.place(degrees, s));
+                error[k].push_back(below.place(degrees, s - f));
+            }
+            if (i % 10 == 0) csv += "," + decimal(f, 6) + "," + decimal(s, 6) + "," + decimal(s - f, 6);
+        }
+        if (i % 10 == 0) csv += "\n";
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+        const char* color = k == 0 ? blue : red;
+        polyline(svg, exact[k], {.stroke = color, .width = 2});
+        polyline(svg, approximate[k], {.stroke = color, .width = 2, .dash = "6 4"});
+        polyline(svg, error[k], {.stroke = color, .width = 1.6});
+    }
+    text(svg, plot.place(52, 0.22), "into glass", colored(small, blue));
+    text(svg, plot.place(27, 0.6), "out of glass", colored(small, red));
+    text(svg, plot.place(3, 0.86), "solid: Fresnel; dashed: Schlick", note);
+    text(svg, below.place(3, 0.035), "Schlick − Fresnel", note);
+    text(svg, {370, 432}, "angle of incidence", middle(small));
+    write_svg(directory / "fresnel.svg", svg);
+    write_file(directory / "fresnel.csv", csv);
+    for (std::size_t k = 0; k < 2; ++k)
+        std::cout << "Schlick " << (k == 0 ? "into" : "out of") << " glass: worst " << decimal(worst[k], 4)
+                  << " at " << decimal(worst_at[k], 1) << " degrees\n";
+}
+
+// Cancellation -----------------------------------------------------------------------------------------
+
+/// How far `refract` is off where a ray grazes the border between equal media, and so should go straight on.
+void draw_cancellation(const Path& directory) {
+    Svg svg{.width = 700, .height = 330};
+    text(svg, {370, 26}, "From glass into the same glass: how far off is the ray?", heading);
+    const Plot plot{{95, 45}, {575, 215}, {1e-10, 1, true}, {1e-17, 1e-7, true}};
+    draw_axes(svg, plot,
+              {{1e-10, "1e-10"}, {1e-8, "1e-8"}, {1e-6, "1e-6"}, {1e-4, "1e-4"}, {1e-2, "1e-2"}, {1, "1"}},
+              {{1e-16, "1e-16"}, {1e-14, "1e-14"}, {1e-12, "1e-12"}, {1e-10, "1e-10"}, {1e-8, "1e-8"}});
+    std::string csv = "cosine,error_1_minus_eta2_sin2,error_of_ours\n";
+    for (Real exponent = -9.9; exponent < 0; exponent += 0.1) {
+        Real textbook = 0, ours = 0, cosine = 0;
+        for (int i = 0; i < 20; ++i) {
+            const Real c = std::pow(10.0, exponent + 0.005 * i);
+            if (i == 0) cosine = c;
+            const Vec3 n(0, 1, 0), d(std::sqrt((1 - c) * (1 + c)), -c, 0);
+            const auto a = naive::refract_cancelling(d, n, 1), b = refract(d, n, 1);
+            textbook = std::max(textbook, a ? length(*a - d) : 1.0);
+            ours = std::max(ours, b ? length(*b - d) : 1.0);
+        }
+        dot_at(svg, plot.place(cosine, std::max(textbook, 1e-17)), red, 3);
+        dot_at(svg, plot.place(cosine, std::max(ours, 1e-17)), blue, 3);
+        char row[80];
+        std::snprintf(row, sizeof row, "%.3g,%.2g,%.2g\n", cosine, textbook, ours);
+        csv += row;
+    }
+    text(svg, plot.place(1e-5, 3e-9), "1 − eta²·(1 − cos²)", colored(small, red));
+    text(svg, plot.place(2e-10, 1.5e-15), "(1 − eta)·(1 + eta) + (eta·cos)²", colored(small, blue));
+    text(svg, {370, 305}, "cosine of the angle of incidence (left: grazing)", middle(small));
+    text(svg, {28, 152}, "error of the direction", {.size = 13, .anchor = "middle", .turn = -90});
+    text(svg, {370, 325}, "Points at the bottom have no error at all.", middle(note));
+    write_svg(directory / "cancellation.svg", svg);
+    write_file(directory / "cancellation.csv", csv);
+}
+
+// Media ------------------------------------------------------------------------------------------------
+
+void draw_media(const Path& directory) {
+    Svg svg{.width = 700, .height = 330};
+    const auto draw = [&](Real left, const char* title, const std::string& objects,
+                          const std::vector<std::pair<Vec2, Real>>& circles,
+                          const std::vector<std::string>& names, Real height) {
+        text(svg, {left + 165, 26}, title, heading);
+        const World world = compile(parse_scene_text(
+            "size 4 4\nmaxdepth 9\ncamera -9 0 0 0 0 0 0 1 0 45\nambient 0 0 0\ntransmission 1 1 1\n" +
+                objects,
+            "figure"));
+        const auto place = [&](const Vec3& p) { return Vec2(left + 165 + 48 * p.x, 165 - 48 * p.y); };
+        const std::array<const char*, 2> fills{"#dff0fa", "#bcdff2"};
+        for (std::size_t i = 0; i < circles.size(); ++i)
+            circle(svg, place({circles[i].first.x, circles[i].first.y, 0}), 48 * circles[i].second,
+                   {.stroke = sky, .width = 1.5, .fill = fills[i], .opacity = 0.85});
+        const auto tree = trace_tree(world, {{-3.1, height, 0}, {1, 0, 0}});
+        for (const TraceRecord& r : tree) {
+            const Vec3& o = r.branch.ray.origin;
+            const Vec3 end = o + (r.hit ? r.hit->t : 0.9) * r.branch.ray.direction;
+            arrow(svg, place(o), place(end), {.stroke = blue, .width = 2}, 8);
+            std::string inside;
+            for (std::uint32_t i = 0; i < r.branch.media.count; ++i)
+                inside += (i > 0 ? ", " : "") + names[r.branch.media.inside[i].object];
+            const std::size_t step = static_cast<std::size_t>(&r - tree.data());
+            const Vec2 at = place(0.5 * (o + end));
+            dot_at(svg, at, "#ffffff", 8);
+            text(svg, at + Vec2(0, 5), std::to_string(step + 1), middle(colored(small, ink)));
+            text(svg, {left + 20 + (step >= 3 ? 165.0 : 0), 275 + 19 * static_cast<Real>(step % 3)},
+                 std::to_string(step + 1) + ": [" + inside + "]", small);
+        }
+    };
+    draw(0, "Glass in water", "ior 1.33\nsphere 0 0 0 2\nior 1.5\nsphere 0 0 0 1\n",
+         {{{0, 0}, 2}, {{0, 0}, 1}}, {"water", "glass"}, 0.55);
+    draw(350, "Two that overlap", "ior 1.5\nsphere -.7 0 0 1.5\nior 1.33\nsphere .7 0 0 1.5\n",
+         {{{-0.7, 0}, 1.5}, {{0.7, 0}, 1.5}}, {"glass", "water"}, 0.5);
+    write_svg(directory / "media.svg", svg);
+}
+
+// Termination ------------------------------------------------------------------------------------------
+
+Real rmse(const Image& image, const Image& truth) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const Vec3 d = image.pixels[i] - truth.pixels[i];
+        sum += dot(d, d);
+    }
+    return std::sqrt(sum / static_cast<Real>(3 * image.pixels.size()));
+}
+
+void measure_termination(const Path& directory) {
+    constexpr std::size_t repeats = 9;
+    Scene scene = parse_scene(scene_file("fresnel"));
+    scene.width = 160, scene.height = 120;
+    // A floor that mirrors makes the trees large.
+    for (Material& m : scene.materials)
+        if (m.transmission == Vec3(0) && !(m.diffuse == Vec3(0))) m.specular = Vec3(0.4);
+    scene.max_depth = 40;
+    scene.min_contribution = 1e-7;
+    const RenderResult truth = render(compile(scene), {});
+    std::string csv = "method,value,milliseconds,rmse,rays\n";
+    struct Point {
+        std::string words;
+        World world;
+        Real error;
+        std::uint64_t rays;
+        Real time = 0;
+        std::array<Real, repeats> times = {};
+    };
+    std::array<std::vector<Point>, 2> curves;
+    const auto add = [&](std::size_t method, const std::string& words) {
+        const World world = compile(scene);
+        const RenderResult result = render(world, {1, {}});
+        const std::uint64_t rays = result.rays.camera + result.rays.reflection + result.rays.refraction;
+        curves[method].push_back({words, world, rmse(result.image, truth.image), rays});
+    };
+    scene.min_contribution = 0;
+    for (const int depth : {0, 1, 2, 3, 4, 5, 6, 8, 10, 12}) {
+        scene.max_depth = depth;
+        add(0, std::to_string(depth));
+    }
+    scene.max_depth = 40;
+    for (const char* c : {"0.5", "0.2", "0.1", "0.05", "0.02", "0.01", "0.005", "0.002", "0.001", "0.0001"}) {
+        scene.min_contribution = std::stod(c);
+        add(1, c);
+    }
+    // Round after round, so that a busy moment of the machine hits all points alike.
+    for (std::size_t round = 0; round < repeats; ++round)
+        for (auto& curve : curves)
+            for (Point& p : curve) p.times[round] = 1000 * render(p.world, {1, {}}).cpu_seconds;
+    for (auto& curve : curves) {
+        for (Point& p : curve) {
+            std::sort(p.times.begin(), p.times.end());
+            p.time = p.times[repeats / 2];
+            char row[120];
+            std::snprintf(row, sizeof row, "%s,%s,%.2f,%.3g,%llu\n",
+                          &curve == &curves[0] ? "depth" : "contribution", p.words.c_str(), p.time, p.error,
+                          static_cast<unsigned long long>(p.rays));
+            csv += row;
+        }
+    }
+    write_file(directory / "measured_termination.csv", csv);
+
+    Svg svg{.width = 700, .height = 400};
+    text(svg, {370, 26}, "Error against time: ending trees by depth and by contribution", heading);
+    Real slowest = 0, fastest = infinity, best = infinity, worst = 0;
+    for (const auto& curve : curves)
+        for (const Point& p : curve)
+            slowest = std::max(slowest, p.time), fastest = std::min(fastest, p.time),
+            best = std::min(best, p.error), worst = std::max(worst, p.error);
+    const Plot plot{
+        {85, 45}, {590, 290}, {fastest * 0.8, slowest * 1.25, true}, {best * 0.5, worst * 2, true}};
+    std::vector<std::pair<Real, std::string>> xs, ys;
+    for (const Real t : {10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0})
+        if (t > plot.x.low && t < plot.x.high) xs.emplace_back(t, decimal(t) + " ms");
+    for (int k = -8; k <= 0; ++k)
+        if (const Real e = std::pow(10.0, k); e > plot.y.low && e < plot.y.high)
+            ys.emplace_back(e, "1e" + std::to_string(k));
+    draw_axes(svg, plot, xs, ys);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const char* color = k == 0 ? blue : red;
+        std::vector<Vec2> points;
+        for (const Point& p : curves[k]) points.push_back(plot.place(p.time, p.error));
+        polyline(svg, points, {.stroke = color, .width = 2});
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            dot_at(svg, points[i], color, 4);
+            text(svg, points[i] + (k == 0 ? Vec2(8, -4) : Vec2(-8, 14)), curves[k][i].words,
+                 {.size = 12, .color = color, .anchor = k == 0 ? "start" : "end"});
+        }
+    }
+    text(svg, {440, 70}, "by depth (maxdepth)", colored(small, blue));
+    text(svg, {440, 90}, "by contribution (mincontribution)", colored(small, red));
+    text(svg, {370, 382}, "CPU time of one thread, median of 9", middle(small));
+    text(svg, {24, 190}, "RMSE to the truth", {.size = 13, .anchor = "middle", .turn = -90});
+    write_svg(directory / "measured_termination.svg", svg);
+}
+
+void measure_whitted(const Path& directory) {
+    const World world = compile(parse_scene(scene_file("whitted")));
+    std::string csv = "threads,milliseconds,cpu_milliseconds,rays,million_rays_per_second\n";
+    for (const int threads : {1, 2}) {
+        std::array<Real, 5> times{};
+        Real cpu = 0;
+        std::uint64_t rays = 0;
+        for (Real& t : times) {
+            const RenderResult result = render(world, {threads, {}});
+            const RayCounts& n = result.rays;
+            rays = n.camera + n.shadow + n.reflection + n.refraction;
+            t = result.seconds;
+            cpu += 1000 * result.cpu_seconds / static_cast<Real>(times.size());
+        }
+        std::sort(times.begin(), times.end());
+        char row[100];
+        std::snprintf(row, sizeof row, "%d,%.0f,%.0f,%llu,%.2f\n", threads, 1000 * times[2], cpu,
+                      static_cast<unsigned long long>(rays), static_cast<Real>(rays) / times[2] / 1e6);
+        csv += row;
+    }
+    write_file(directory / "measured_whitted.csv", csv);
+    std::cout << csv;
+}
+
+// Pictures ---------------------------------------------------------------------------------------------
+
+/// Whitted's scene with 0, 1, 3, 4 and 8 bounces, side by side.
+void draw_depths(const Path& directory) {
+    constexpr int size = 140, gap = 4;
+    const std::array<int, 5> depths{0, 1, 3, 4, 8};
+    Image strip = make_image(5 * size + 4 * gap, size);
+    for (Vec3& p : strip.pixels) p = Vec3(1);
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+        Scene scene = parse_scene(scene_file("whitted"));
+        scene.width = scene.height = size;
+        scene.max_depth = depths[k];
+        const Image image = render(compile(scene)).image;
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x)
+                pixel(strip, static_cast<int>(k) * (size + gap) + x, y) = pixel(image, x, y);
+    }
+    write_image(directory / "depths.png", strip);
+}
+
+void draw_scenes(const Path& directory) {
+    for (const char* name : {"whitted", "mirrors", "glass", "neighbours", "fresnel", "tir", "ice"}) {
+        const Scene scene = parse_scene(scene_file(name));
+        write_image(directory / (std::string(name) + ".png"), render(compile(scene)).image, scene.encoding);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "usage: figures_07 DIRECTORY\n";
+        return 2;
+    }
+    const Path directory = argv[1];
+    draw_tree(directory);
+    draw_snell(directory);
+    draw_fresnel(directory);
+    draw_cancellation(directory);
+    draw_media(directory);
+    draw_depths(directory);
+    draw_scenes(directory);
+    measure_whitted(directory);
+    measure_termination(directory);
+}

@@ -1,0 +1,405 @@
+// Step 04.6: ellipsoids, and instances of a mesh.
+#include "chapters/03_triangles/triangle.hpp"
+#include "chapters/04_transforms/instance.hpp"
+#include "chapters/04_transforms/transform.hpp"
+#include "common/math/error.hpp"
+#include "tests/04_transforms/show.hpp"
+#include "tests/catch.hpp"
+#include "tests/oracle/triangle.hpp"
+#include "tests/support.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace rt;
+using test::cases;
+using test::Random;
+using test::show;
+
+namespace {
+
+const Interval ahead{0, infinity};
+
+Transform transform(const Mat4& m) {
+    const std::optional<Mat4> back = inverse(m);
+    REQUIRE(back.has_value());
+    return {m, *back};
+}
+
+Ellipsoid ellipsoid(const Mat4& m) { return {transform(m)}; }
+
+/// Turned, stretched and slanted; reflected every second time.
+Mat4 some_map(Random& random) {
+    Vec3 by(random.magnitude(-1, 1), random.magnitude(-1, 1), random.magnitude(-1, 1));
+    if (random.index(2) == 0) by.x = -by.x;
+    const Mat4 first = rotation(random.direction(), random.uniform(-4, 4));
+    return translation(5.0 * random.in_cube()) * rotation(random.direction(), random.uniform(-4, 4)) * scaling(by) *
+           first;
+}
+
+/// A closed mesh around the origin: an octahedron with uneven corners, its faces counterclockwise from outside.
+SharedMesh some_mesh(Random& random) {
+    SharedMesh mesh;
+    Vec3 corners[6];
+    for (int i = 0; i < 6; ++i) {
+        corners[i] = Vec3(0);
+        corners[i][i / 2] = (i % 2 == 0 ? 1 : -1) * random.uniform(0.5, 1);
+    }
+    for (int i = 0; i < 8; ++i) {
+        Triangle face{corners[i & 1], corners[2 + (i >> 1 & 1)], corners[4 + (i >> 2 & 1)]};
+        if (((i & 1) + (i >> 1 & 1) + (i >> 2 & 1)) % 2 == 1) std::swap(face.b, face.c);
+        mesh.triangles.shapes.push_back(face);
+        mesh.triangles.normals.push_back({face.a, face.b, face.c});
+    }
+    mesh.bound = {Vec3(0), 1 + 0x1p-20};
+    return mesh;
+}
+
+Triangle baked(const Triangle& triangle, const Mat4& m) {
+    return {transform_point(m, triangle.a), transform_point(m, triangle.b), transform_point(m, triangle.c)};
+}
+
+/// From somewhere outside of the image of the unit ball to somewhere in or near it.
+Ray towards(Random& random, const Mat4& m) {
+    const Vec3 from = transform_point(m, 3.0 * random.direction());
+    return {from, random.uniform(0.2, 2) * (transform_point(m, 1.1 * random.in_cube()) - from)};
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------------------- ellipsoids
+
+TEST_CASE("an ellipsoid is hit where its axis ends", "[04.6]") {
+    const Ellipsoid e = ellipsoid(scaling({2, 1, 0.5}));
+    const auto t_of = [&](const Ray& ray) {
+        const std::optional<Hit> hit = intersect(e, ray, ahead);
+        REQUIRE(hit.has_value());
+        return hit->t;
+    };
+    CHECK(t_of({{5, 0, 0}, {-1, 0, 0}}) == 3);
+    CHECK(t_of({{0, 5, 0}, {0, -1, 0}}) == 4);
+    CHECK(t_of({{0, 0, 5}, {0, 0, -1}}) == 4.5);
+    CHECK(t_of({{0, 0, 0}, {1, 0, 0}}) == 2);
+}
+
+TEST_CASE("t counts lengths of the world ray's direction", "[04.6]") {
+    const Ellipsoid e = ellipsoid(translation({0, 0, -10}) * scaling({1, 1, 4}));
+    for (const Real speed : {0.5, 1.0, 2.0, 1024.0}) {
+        const std::optional<Hit> hit = intersect(e, {{0, 0, 0}, {0, 0, -speed}}, ahead);
+        CAPTURE(speed);
+        REQUIRE(hit.has_value());
+        CHECK(hit->t == 6 / speed);
+    }
+}
+
+TEST_CASE("beside an ellipsoid there is nothing", "[04.6]") {
+    const Ellipsoid e = ellipsoid(scaling({2, 1, 0.5}));
+    CHECK_FALSE(intersect(e, {{0, 1.25, 5}, {0, 0, -1}}, ahead).has_value());
+    CHECK(intersect(e, {{1.25, 0, 5}, {0, 0, -1}}, ahead).has_value());
+    CHECK_FALSE(intersect(e, {{0, 0, -5}, {0, 0, -1}}, ahead).has_value());
+}
+
+TEST_CASE("the range is that of the world ray", "[04.6]") {
+    const Ellipsoid e = ellipsoid(scaling({2, 1, 0.5}));
+    const Ray ray{{5, 0, 0}, {-1, 0, 0}};  // roots 3 and 7
+    CHECK(intersect(e, ray, {0, 3}).has_value());
+    CHECK_FALSE(intersect(e, ray, {0, 2.5}).has_value());
+    const std::optional<Hit> far = intersect(e, ray, {3, infinity});
+    REQUIRE(far.has_value());
+    CHECK(far->t == 7);
+}
+
+TEST_CASE("the surface of an ellipsoid has its point and normal in the world", "[04.6]") {
+    const Ellipsoid e = ellipsoid(translation({1, 0, 0}) * scaling({2, 1, 1}));
+    const Ray ray{{1, 5, 0}, {0, -1, 0}};
+    const std::optional<Hit> hit = intersect(e, ray, ahead);
+    REQUIRE(hit.has_value());
+    const Surface top = surface_at(e, ray, *hit);
+    CHECK(top.point == Vec3(1, 1, 0));
+    CHECK(top.normal == Vec3(0, 1, 0));
+    CHECK(top.shading_normal == Vec3(0, 1, 0));
+
+    // At (2·0.6, 0.8): the gradient of (x/2)² + y² is along (0.6/2, 0.8) = (3, 8)/10.
+    const Ray slope{{2.2, 5, 0}, {0, -1, 0}};
+    const std::optional<Hit> aside = intersect(e, slope, ahead);
+    REQUIRE(aside.has_value());
+    const Surface side = surface_at(e, slope, *aside);
+    CAPTURE(show(side.point), show(side.normal));
+    CHECK(length(side.point - Vec3(2.2, 0.8, 0)) <= gamma(16));
+    CHECK(length(side.normal - Vec3(3, 8, 0) / std::sqrt(73.0)) <= gamma(16));
+}
+
+TEST_CASE("points lie on the ellipsoid and normals point outward, reflected or not", "[04.6]") {
+    Random random(4601);
+    int hits = 0;
+    for (int i = 0; i < cases(5000); ++i) {
+        const Mat4 m = some_map(random);
+        const Ellipsoid e = ellipsoid(m);
+        const Ray ray = towards(random, m);
+        const std::optional<Hit> hit = intersect(e, ray, ahead);
+        if (!hit) continue;
+        ++hits;
+        const Surface surface = surface_at(e, ray, *hit);
+        INFO(show(m) << "\npoint " << show(surface.point) << ", normal " << show(surface.normal));
+        // In the ellipsoid's own units a point is off by no more than the error that it claims.
+        const Mat4& back = e.transform.to_local;
+        const Vec3 local = transform_point(back, surface.point);
+        Vec3 reach(0);
+        for (int c = 0; c < 3; ++c) reach += abs(Vec3(back[c])) * surface.error[c];
+        CHECK(std::abs(length(local) - 1) <= dot(abs(local), reach));
+        CHECK(std::abs(length(surface.normal) - 1) <= gamma(4));
+        CHECK(dot(surface.normal, surface.point - Vec3(m[3])) > 0);
+    }
+    CHECK(hits > cases(5000) / 4);
+}
+
+TEST_CASE("a ray that starts outside of the error box does not meet the surface again", "[04.6]") {
+    Random random(4602);
+    int tried = 0;
+    for (int i = 0; i < cases(20000); ++i) {
+        const Mat4 m = some_map(random);
+        const Ellipsoid e = ellipsoid(m);
+        const Ray ray = towards(random, m);
+        const std::optional<Hit> hit = intersect(e, ray, ahead);
+        if (!hit) continue;
+        const Surface surface = surface_at(e, ray, *hit);
+        const Vec3& n = surface.normal;
+        const Real step = dot(abs(n), surface.error) * (1 + gamma(8));
+        Vec3 direction = random.direction();
+        // Grazing ones too.
+        if (i % 2 == 0) direction = normalize(cross(n, direction) + random.magnitude(-12, 0) * n);
+        if (dot(direction, n) <= 0) continue;
+        ++tried;
+        INFO(show(m) << "\npoint " << show(surface.point) << ", direction " << show(direction));
+        CHECK_FALSE(intersect(e, {surface.point + step * n, direction}, ahead).has_value());
+    }
+    CHECK(tried > cases(20000) / 8);
+}
+
+TEST_CASE("an ellipsoid that is a ball is hit as a sphere is", "[04.6]") {
+    Random random(4603);
+    for (int i = 0; i < cases(2000); ++i) {
+        const Vec3 center = 3.0 * random.in_cube();
+        const Real radius = random.uniform(0.5, 2);
+        const Mat4 m = translation(center) * rotation(random.direction(), random.uniform(-4, 4)) *
+                       scaling({radius, -radius, radius});
+        const Ray ray = towards(random, m);
+        const std::optional<Hit> hit = intersect(ellipsoid(m), ray, ahead);
+        if (!hit) continue;
+        const Real distance = length(point_at(ray, hit->t) - center);
+        CAPTURE(show(center), radius, hit->t);
+        // The point on the ray is known to u·|o| or so; grazing rays are off by no more across the surface.
+        CHECK(std::abs(distance - radius) <= gamma(64) * (length(ray.origin) + length(center) + radius));
+    }
+}
+
+// -------------------------------------------------------------------------------------------- instances
+
+namespace {
+
+const Triangle upright{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+
+SharedMesh one_triangle() {
+    SharedMesh mesh;
+    mesh.triangles.shapes = {upright};
+    mesh.bound = {Vec3(0), 2};
+    return mesh;
+}
+
+void check_hit(const std::optional<Hit>& hit, Real t, std::uint32_t primitive, std::uint32_t element) {
+    REQUIRE(hit.has_value());
+    CAPTURE(hit->t, hit->primitive, hit->element);
+    CHECK(hit->t == t);
+    CHECK(hit->primitive == primitive);
+    CHECK(hit->element == element);
+}
+
+}  // namespace
+
+TEST_CASE("where there are no instances nothing is hit", "[04.6]") {
+    const std::vector<SharedMesh> meshes{one_triangle()};
+    CHECK_FALSE(closest_hit(std::span<const Instance>{}, meshes, {{0, 0, 5}, {0, 0, -1}}, ahead).has_value());
+}
+
+TEST_CASE("an instance is hit where its mesh was moved to", "[04.6]") {
+    const std::vector<SharedMesh> meshes{one_triangle()};
+    const std::vector<Instance> instances{{transform(translation({0, 0, -4})), 0},
+                                          {transform(translation({8, 0, 2})), 0}};
+    check_hit(closest_hit(instances, meshes, {{0, 0, 5}, {0, 0, -1}}, ahead), 9, 0, 0);
+    check_hit(closest_hit(instances, meshes, {{8, 0, 5}, {0, 0, -1}}, ahead), 3, 1, 0);
+    CHECK_FALSE(closest_hit(instances, meshes, {{4, 0, 5}, {0, 0, -1}}, ahead).has_value());
+}
+
+TEST_CASE("the nearest instance wins wherever it stands in the list, and of equals the first", "[04.6]") {
+    const std::vector<SharedMesh> meshes{one_triangle()};
+    const Instance near{transform(translation({0, 0, 2})), 0}, far{transform(translation({0, 0, -2})), 0};
+    const Ray ray{{0, 0, 5}, {0, 0, -1}};
+    check_hit(closest_hit(std::vector{near, far}, meshes, ray, ahead), 3, 0, 0);
+    check_hit(closest_hit(std::vector{far, near}, meshes, ray, ahead), 3, 1, 0);
+    check_hit(closest_hit(std::vector{far, near, near}, meshes, ray, ahead), 3, 1, 0);
+}
+
+TEST_CASE("element says which triangle of the mesh", "[04.6]") {
+    SharedMesh mesh;
+    mesh.triangles.shapes = {{{-1, -1, -3}, {1, -1, -3}, {0, 1, -3}}, upright};
+    mesh.bound = {Vec3(0), 4};
+    const std::vector<SharedMesh> meshes{one_triangle(), mesh};
+    const std::vector<Instance> instances{{transform(translation({50, 0, 0})), 0},
+                                          {transform(scaling({1, 1, 2})), 1}};
+    check_hit(closest_hit(instances, meshes, {{0, 0, 5}, {0, 0, -1}}, ahead), 5, 1, 1);
+    check_hit(closest_hit(instances, meshes, {{0, 0, -15}, {0, 0, 2}}, ahead), 4.5, 1, 0);
+}
+
+TEST_CASE("a mesh outside of its bounding sphere is not looked at", "[04.6]") {
+    SharedMesh mesh = one_triangle();
+    mesh.bound = {{10, 0, 0}, 1};
+    const std::vector<SharedMesh> meshes{mesh};
+    const std::vector<Instance> instances{{transform(translation({0, 0, -4})), 0}};
+    CHECK_FALSE(closest_hit(instances, meshes, {{0, 0, 5}, {0, 0, -1}}, ahead).has_value());
+}
+
+TEST_CASE("from inside of the bounding sphere the mesh is hit", "[04.6]") {
+    const std::vector<SharedMesh> meshes{one_triangle()};
+    const std::vector<Instance> instances{{transform(scaling({1, 1, 1})), 0}};
+    check_hit(closest_hit(instances, meshes, {{0, 0, 0.5}, {0, 0, -1}}, ahead), 0.5, 0, 0);
+}
+
+TEST_CASE("the range decides: its start is excluded and its end included", "[04.6]") {
+    const std::vector<SharedMesh> meshes{one_triangle()};
+    const std::vector<Instance> instances{{transform(scaling({1, 1, 1})), 0}};
+    const Ray ray{{0, 0, 5}, {0, 0, -1}};
+    CHECK(closest_hit(instances, meshes, ray, {0, 5}).has_value());
+    CHECK_FALSE(closest_hit(instances, meshes, ray, {0, 4.5}).has_value());
+    CHECK_FALSE(closest_hit(instances, meshes, ray, {5, infinity}).has_value());
+    CHECK(any_hit(instances, meshes, ray, {0, 5}));
+    CHECK_FALSE(any_hit(instances, meshes, ray, {0, 4.5}));
+}
+
+namespace {
+
+/// A multiple of 1/16 in [−2, 2].
+Real sixteenths(Random& random) { return static_cast<Real>(static_cast<int>(random.index(65)) - 32) / 16; }
+
+Vec3 in_sixteenths(Random& random) {
+    const Real x = sixteenths(random), y = sixteenths(random), z = sixteenths(random);
+    return {x, y, z};
+}
+
+}  // namespace
+
+TEST_CASE("an instance is hit where the mesh baked into the world is, by exact arithmetic", "[04.6]") {
+    Random random(4604);
+    int hits = 0, misses = 0, undecided = 0;
+    for (int i = 0; i < cases(5000); ++i) {
+        // Map and corners are so short that the baked triangles need no rounding: they are the truth.
+        Mat4 m(1);
+        for (int c = 0; c < 4; ++c) m[c] = Vec4(in_sixteenths(random), c == 3 ? 1 : 0);
+        const std::optional<Mat4> back = inverse(m);
+        if (!back) continue;
+        SharedMesh mesh = some_mesh(random);
+        for (Triangle& face : mesh.triangles.shapes)
+            for (Vec3* corner : {&face.a, &face.b, &face.c}) *corner = glm::round(*corner * 16.0) / 16.0;
+        const Instance instance{{m, *back}, 0};
+        const Ray ray = towards(random, m);
+        const std::optional<Hit> hit = closest_hit({&instance, 1}, {&mesh, 1}, ray, ahead);
+        CHECK(any_hit({&instance, 1}, {&mesh, 1}, ray, ahead) == hit.has_value());
+
+        // What rounding, or moving the data by 4 ulp, does in local space, as tests/stability/transforms.hpp says.
+        const Ray local = to_local(instance.transform, ray);
+        const auto off = [&](Real t) {
+            Vec3 sum = abs(Vec3((*back)[3]));
+            for (int c = 0; c < 3; ++c)
+                sum += abs(Vec3((*back)[c])) * (std::abs(ray.origin[c]) + t * std::abs(ray.direction[c]));
+            return 8 * unit_roundoff * (length(sum) + 1);
+        };
+        Real nearest = infinity, error = 0, allowed = 0;
+        std::uint32_t element = 0;
+        bool close = false;
+        for (std::uint32_t k = 0; k < mesh.triangles.shapes.size(); ++k) {
+            const Triangle& face = mesh.triangles.shapes[k];
+            const oracle::TriangleTruth truth = oracle::judge_triangle(baked(face, m), ray, hit ? hit->t : 0);
+            if (truth.degenerate || truth.sum == 0) continue;
+            const Real cosine = std::abs(dot(unit_normal(face), local.direction));
+            const Vec3 weights = truth.volumes / truth.sum;
+            const Real area = length(cross(face.b - face.a, face.c - face.a));
+            // The least height is the double area over the longest edge, which is 2 at most.
+            const Real moved = off(std::abs(truth.t)) * length(local.direction) / cosine * 2 / area;
+            close = close || std::abs(std::min({weights.x, weights.y, weights.z})) <= moved;
+            if (!truth.hit || truth.t >= nearest) continue;
+            nearest = truth.t;
+            element = k;
+            error = std::abs(truth.error);
+            allowed = off(truth.t) / cosine;
+        }
+        if (close) {
+            ++undecided;
+            continue;
+        }
+        INFO(show(m) << "\nray from " << show(ray.origin) << " along " << show(ray.direction));
+        CAPTURE(nearest, element, hit ? hit->t : -1, hit ? hit->element : 0);
+        REQUIRE(hit.has_value() == (nearest < infinity));
+        ++(hit ? hits : misses);
+        if (!hit) continue;
+        CHECK(hit->element == element);
+        CHECK(error <= allowed);
+    }
+    CAPTURE(hits, misses, undecided);
+    CHECK(hits > cases(5000) / 8);
+    CHECK(misses > cases(5000) / 8);
+    CHECK(undecided < cases(5000) / 8);
+}
+
+TEST_CASE("the surface of an instance is that of the baked mesh, smooth or flat, reflected or not", "[04.6]") {
+    Random random(4605);
+    int hits = 0;
+    for (int i = 0; i < cases(2000); ++i) {
+        SharedMesh mesh = some_mesh(random);
+        if (i % 2 == 0) mesh.triangles.normals.clear();
+        const Mat4 m = some_map(random);
+        const Instance instance{transform(m), 0};
+        const Ray ray = towards(random, m);
+        const std::optional<Hit> hit = closest_hit({&instance, 1}, {&mesh, 1}, ray, ahead);
+        if (!hit) continue;
+        ++hits;
+        const Surface surface = surface_at(instance, mesh, ray, *hit);
+        const Triangle face = baked(mesh.triangles.shapes[hit->element], m);
+        const Vec3 flat = (glm::determinant(Mat3(m)) < 0 ? -1.0 : 1.0) * unit_normal(face);
+        const Vec3 point = (1 - hit->uv.x - hit->uv.y) * face.a + hit->uv.x * face.b + hit->uv.y * face.c;
+        INFO(show(m) << "\nnormal " << show(surface.normal) << ", of the baked triangle " << show(flat));
+        // Corners of at most 1, moved by maps that stretch by at most 100 times and as much back.
+        CHECK(length(surface.normal - flat) <= gamma(100 * 100));
+        CHECK(length(surface.point - point) <= gamma(100) * (length(Vec3(m[3])) + 30));
+        if (mesh.triangles.normals.empty()) {
+            CHECK(surface.shading_normal == surface.normal);
+        } else {
+            const Triangle& local = mesh.triangles.shapes[hit->element];
+            const Vec3 n = interpolate(mesh.triangles.normals[hit->element], hit->uv, unit_normal(local));
+            const Vec3 expected = unit_vector(transform_normal(instance.transform.to_local, n));
+            CHECK(surface.shading_normal == expected);
+        }
+    }
+    CHECK(hits > cases(2000) / 8);
+}
+
+TEST_CASE("a ray that starts outside of an instance's error box does not meet its triangle again", "[04.6]") {
+    Random random(4606);
+    int tried = 0;
+    for (int i = 0; i < cases(20000); ++i) {
+        const SharedMesh mesh = some_mesh(random);
+        const Mat4 m = some_map(random);
+        const Instance instance{transform(m), 0};
+        const Ray ray = towards(random, m);
+        const std::optional<Hit> hit = closest_hit({&instance, 1}, {&mesh, 1}, ray, ahead);
+        if (!hit) continue;
+        const Surface surface = surface_at(instance, mesh, ray, *hit);
+        const Vec3& n = surface.normal;
+        const Real step = dot(abs(n), surface.error) * (1 + gamma(8));
+        const Vec3 direction = random.direction();
+        if (dot(direction, n) <= 1e-6) continue;
+        ++tried;
+        INFO(show(m) << "\npoint " << show(surface.point) << ", direction " << show(direction));
+        // The mesh is convex and the ray goes outward: nothing is in its way.
+        CHECK_FALSE(any_hit({&instance, 1}, {&mesh, 1}, {surface.point + step * n, direction}, ahead));
+    }
+    CHECK(tried > cases(20000) / 16);
+}

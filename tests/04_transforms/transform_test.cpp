@@ -1,0 +1,423 @@
+// Steps 04.1 to 04.5: matrices, their stack and inverse, and what they do to points, vectors, normals and rays.
+#include "chapters/04_transforms/transform.hpp"
+#include "common/math/error.hpp"
+#include "tests/04_transforms/show.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <algorithm>
+#include <limits>
+
+using namespace rt;
+using test::cases;
+using test::difference;
+using test::Random;
+using test::show;
+
+namespace {
+
+const Mat4 identity(1);
+
+/// From rows, as on paper.
+Mat4 rows(const Vec4& a, const Vec4& b, const Vec4& c) {
+    Mat4 m(1);
+    for (int i = 0; i < 4; ++i) m[i] = Vec4(a[i], b[i], c[i], i == 3 ? 1 : 0);
+    return m;
+}
+
+void check_matrix(const Mat4& actual, const Mat4& expected, Real within = 0) {
+    INFO("expected" << show(expected));
+    INFO("actual" << show(actual));
+    CHECK(difference(actual, expected) <= within);
+}
+
+void check_vector(const Vec3& actual, const Vec3& expected) {
+    INFO("expected " << show(expected) << ", actual " << show(actual));
+    CHECK(actual == expected);
+}
+
+Mat4 some_affine(Random& random) {
+    Mat4 m(1);
+    for (int c = 0; c < 4; ++c) m[c] = Vec4(2.0 * random.in_cube(), c == 3 ? 1 : 0);
+    return m;
+}
+
+// What cos and sin of this machine and the rounded degree leave of a right angle is far below this.
+constexpr Real few_roundings = 8 * unit_roundoff;
+
+}  // namespace
+
+// ------------------------------------------------------------------------- 04.1 translation and scaling
+
+TEST_CASE("a translation stands in the last column", "[04.1]") {
+    check_matrix(translation({2, 3, 4}), rows({1, 0, 0, 2}, {0, 1, 0, 3}, {0, 0, 1, 4}));
+    check_matrix(translation({0, 0, 0}), identity);
+}
+
+TEST_CASE("a scaling stands on the diagonal", "[04.1]") {
+    check_matrix(scaling({2, 3, 4}), rows({2, 0, 0, 0}, {0, 3, 0, 0}, {0, 0, 4, 0}));
+    check_matrix(scaling({1, 1, 1}), identity);
+}
+
+TEST_CASE("a factor may be negative or tiny", "[04.1]") {
+    check_matrix(scaling({-1, 1, 1}), rows({-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}));
+    check_matrix(scaling({1e-300, -1e300, 0.5}), rows({1e-300, 0, 0, 0}, {0, -1e300, 0, 0}, {0, 0, 0.5, 0}));
+}
+
+TEST_CASE("a translation moves points to the bit, and a scaling multiplies each coordinate", "[04.1]") {
+    Random random(4101);
+    for (int i = 0; i < cases(1000); ++i) {
+        const Vec3 p = random.magnitude(-9, 9) * random.in_cube(), by = random.magnitude(-9, 9) * random.in_cube();
+        CAPTURE(show(p), show(by));
+        CHECK(Vec3(translation(by) * Vec4(p, 1)) == p + by);
+        CHECK(Vec3(translation(by) * Vec4(p, 0)) == p);
+        CHECK(Vec3(scaling(by) * Vec4(p, 1)) == p * by);
+    }
+}
+
+// ----------------------------------------------------------------------------------------- 04.2 rotation
+
+TEST_CASE("a quarter turn about z takes x to y and y to -x", "[04.2]") {
+    check_matrix(rotation({0, 0, 1}, pi / 2), rows({0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}), few_roundings);
+}
+
+TEST_CASE("quarter turns go x to y, y to z, z to x, counterclockwise about each axis", "[04.2]") {
+    check_matrix(rotation({1, 0, 0}, pi / 2), rows({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}), few_roundings);
+    check_matrix(rotation({0, 1, 0}, pi / 2), rows({0, 0, 1, 0}, {0, 1, 0, 0}, {-1, 0, 0, 0}), few_roundings);
+}
+
+TEST_CASE("a third of a turn about the diagonal takes x to y, y to z and z to x", "[04.2]") {
+    check_matrix(rotation({1, 1, 1}, 2 * pi / 3), rows({0, 0, 1, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}), few_roundings);
+}
+
+TEST_CASE("half a turn about (1, 1, 0) exchanges x and y and turns z round", "[04.2]") {
+    check_matrix(rotation({1, 1, 0}, pi), rows({0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, -1, 0}), few_roundings);
+}
+
+TEST_CASE("no angle is no rotation", "[04.2]") {
+    check_matrix(rotation({1, 2, 3}, 0), identity, few_roundings);
+}
+
+TEST_CASE("the axis may have any length", "[04.2]") {
+    const Mat4 expected = rotation({1, 2, -2}, 1);
+    for (const Real length : {0.1, 3.0, 1e-200, 1e200}) {
+        CAPTURE(length);
+        check_matrix(rotation(length * Vec3(1, 2, -2), 1), expected, few_roundings);
+    }
+}
+
+TEST_CASE("a rotation keeps its axis, lengths and angles, and has the determinant 1", "[04.2]") {
+    Random random(4201);
+    for (int i = 0; i < cases(5000); ++i) {
+        const Vec3 axis = random.magnitude(-3, 3) * random.direction();
+        const Real angle = random.uniform(-7, 7);
+        const Mat4 m = rotation(axis, angle);
+        CAPTURE(show(axis), angle);
+        INFO(show(m));
+        // A column is a sum of products with 4 roundings on the way to it, and 3 in a dot product of two.
+        check_matrix(glm::transpose(m) * m, identity, gamma(16));
+        CHECK(std::abs(glm::determinant(Mat3(m)) - 1) <= gamma(24));
+        CHECK(length(Mat3(m) * axis - axis) <= gamma(12) * length(axis));
+    }
+}
+
+TEST_CASE("the angle between a vector and its image is the angle of the rotation", "[04.2]") {
+    Random random(4202);
+    for (int i = 0; i < cases(2000); ++i) {
+        const Vec3 k = random.direction();
+        const Vec3 v = normalize(cross(k, random.direction()));
+        const Real angle = random.uniform(-pi, pi);
+        const Vec3 turned = Mat3(rotation(k, angle)) * v;
+        CAPTURE(show(k), show(v), angle);
+        // Counterclockwise seen from the tip of k.
+        CHECK(std::abs(std::atan2(dot(cross(v, turned), k), dot(v, turned)) - angle) <= gamma(32));
+    }
+}
+
+TEST_CASE("turning back undoes a rotation", "[04.2]") {
+    Random random(4203);
+    for (int i = 0; i < cases(1000); ++i) {
+        const Vec3 axis = random.direction();
+        const Real angle = random.uniform(-pi, pi);
+        CAPTURE(show(axis), angle);
+        check_matrix(rotation(axis, angle) * rotation(axis, -angle), identity, gamma(16));
+        check_matrix(rotation(axis, -angle), glm::transpose(rotation(axis, angle)), 0);
+        check_matrix(rotation(-axis, -angle), rotation(axis, angle), 0);
+    }
+}
+
+// ------------------------------------------------------------------------------------------ 04.3 compose
+
+TEST_CASE("no nodes have no matrices", "[04.3]") { CHECK(compose({}).empty()); }
+
+TEST_CASE("the last step that was written acts first", "[04.3]") {
+    // translate 10 0 0, then scale 2 2 2: a point is scaled, then moved.
+    const std::vector<TransformNode> nodes{{-1, Translate{{10, 0, 0}}, {}}, {0, Scale{{2, 2, 2}}, {}}};
+    const std::vector<Mat4> m = compose(nodes);
+    REQUIRE(m.size() == 2);
+    check_matrix(m[0], rows({1, 0, 0, 10}, {0, 1, 0, 0}, {0, 0, 1, 0}));
+    check_matrix(m[1], rows({2, 0, 0, 10}, {0, 2, 0, 0}, {0, 0, 2, 0}));
+}
+
+TEST_CASE("the other order gives another matrix", "[04.3]") {
+    const std::vector<TransformNode> nodes{{-1, Scale{{2, 2, 2}}, {}}, {0, Translate{{10, 0, 0}}, {}}};
+    const std::vector<Mat4> m = compose(nodes);
+    REQUIRE(m.size() == 2);
+    check_matrix(m[1], rows({2, 0, 0, 20}, {0, 2, 0, 0}, {0, 0, 2, 0}));
+}
+
+TEST_CASE("nodes with the same parent do not touch each other", "[04.3]") {
+    // translate; push; scale; pop; scale: a pop goes back to the parent.
+    const std::vector<TransformNode> nodes{{-1, Translate{{1, 2, 3}}, {}},
+                                           {0, Scale{{2, 1, 1}}, {}},
+                                           {0, Scale{{1, 3, 1}}, {}},
+                                           {-1, Scale{{5, 5, 5}}, {}}};
+    const std::vector<Mat4> m = compose(nodes);
+    REQUIRE(m.size() == 4);
+    check_matrix(m[1], rows({2, 0, 0, 1}, {0, 1, 0, 2}, {0, 0, 1, 3}));
+    check_matrix(m[2], rows({1, 0, 0, 1}, {0, 3, 0, 2}, {0, 0, 1, 3}));
+    check_matrix(m[3], scaling({5, 5, 5}));
+}
+
+TEST_CASE("every node is its parent's matrix times its own step", "[04.3]") {
+    Random random(4301);
+    std::vector<TransformNode> nodes;
+    for (int i = 0; i < cases(2000); ++i) {
+        const int parent = static_cast<int>(random.index(nodes.size() + 1)) - 1;
+        TransformStep step = Translate{random.in_cube()};
+        if (i % 3 == 1) step = Rotate{random.direction(), random.uniform(-4, 4)};
+        if (i % 3 == 2) step = Scale{random.in_cube() + Vec3(2)};
+        nodes.push_back({parent, step, {}});
+    }
+    const std::vector<Mat4> m = compose(nodes);
+    REQUIRE(m.size() == nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const int parent = nodes[i].parent;
+        CAPTURE(i, parent);
+        check_matrix(m[i], (parent < 0 ? identity : m[static_cast<std::size_t>(parent)]) * matrix(nodes[i].step));
+    }
+}
+
+TEST_CASE("after a chain of 1000 rotations a matrix is still one, but for as many roundings", "[04.3]") {
+    Random random(4302);
+    std::vector<TransformNode> nodes;
+    for (int i = 0; i < 1000; ++i)
+        nodes.push_back({i - 1, Rotate{random.direction(), random.uniform(-pi, pi)}, {}});
+    const std::vector<Mat4> m = compose(nodes);
+    REQUIRE(m.size() == 1000);
+    // One product of two rotations adds 3 roundings of sums of at most √3 an element.
+    check_matrix(glm::transpose(m.back()) * m.back(), identity, gamma(16 * 1000));
+}
+
+// ------------------------------------------------------------------------------------------ 04.4 inverse
+
+namespace {
+
+Mat4 inverted(const Mat4& m) {
+    INFO("the inverse of" << show(m));
+    const std::optional<Mat4> result = inverse(m);
+    REQUIRE(result.has_value());
+    return *result;
+}
+
+}  // namespace
+
+TEST_CASE("the inverse of the identity is the identity", "[04.4]") { check_matrix(inverted(identity), identity); }
+
+TEST_CASE("the inverse of a scaling divides", "[04.4]") {
+    check_matrix(inverted(scaling({2, -4, 0.5})), scaling({0.5, -0.25, 2}));
+}
+
+TEST_CASE("the inverse of a translation goes back", "[04.4]") {
+    check_matrix(inverted(translation({1, 2, 3})), translation({-1, -2, -3}));
+}
+
+TEST_CASE("scaled, then moved: the inverse moves back, then divides", "[04.4]") {
+    check_matrix(inverted(rows({2, 0, 0, 10}, {0, 4, 0, 20}, {0, 0, 8, 40})),
+                 rows({0.5, 0, 0, -5}, {0, 0.25, 0, -5}, {0, 0, 0.125, -5}));
+}
+
+TEST_CASE("where the first element is zero, another row is the pivot", "[04.4]") {
+    // x, y, z change places: no element of the diagonal is a pivot.
+    check_matrix(inverted(rows({0, 0, 1, 0}, {1, 0, 0, 0}, {0, 1, 0, 0})),
+                 rows({0, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 0, 0}));
+    check_matrix(inverted(rows({0, 2, 0, 6}, {4, 0, 0, 8}, {0, 0, 1, 0})),
+                 rows({0, 0.25, 0, -2}, {0.5, 0, 0, -3}, {0, 0, 1, 0}));
+}
+
+TEST_CASE("where elimination leaves a zero on the diagonal, rows change places then", "[04.4]") {
+    const Mat4 m = rows({1, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 1, 0});
+    check_matrix(inverted(m), rows({0, 1, -1, 0}, {1, -1, 1, 0}, {-1, 1, 0, 0}));
+}
+
+TEST_CASE("a shear is undone by the opposite shear", "[04.4]") {
+    check_matrix(inverted(rows({1, 1e6, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0})),
+                 rows({1, -1e6, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}));
+}
+
+TEST_CASE("what is small in every direction is not singular", "[04.4]") {
+    check_matrix(inverted(scaling(Vec3(0x1p-50))), scaling(Vec3(0x1p50)));
+    check_matrix(inverted(scaling(Vec3(0x1p-300))), scaling(Vec3(0x1p300)));
+    check_matrix(inverted(scaling({0x1p50, 0x1p-50, 1})), scaling({0x1p-50, 0x1p50, 1}));
+}
+
+TEST_CASE("a singular matrix has no inverse", "[04.4]") {
+    const Vec4 zero(0);
+    const auto is_singular = [](const Mat4& m) {
+        INFO("the inverse of" << show(m));
+        CHECK_FALSE(inverse(m).has_value());
+    };
+    is_singular(rows(zero, zero, zero));
+    is_singular(scaling({1, 0, 1}));                                     // flattened
+    is_singular(rows({1, 2, 3, 0}, {2, 4, 6, 0}, {0, 0, 1, 0}));         // two rows along a line
+    is_singular(rows({1, 2, 3, 0}, {4, 5, 6, 0}, {7, 8, 9, 0}));         // three rows in a plane
+    is_singular(rows({.1, .2, .3, 0}, {.1, .2, .3, 0}, {1, 0, 0, 0}));   // rounded, but equal
+    is_singular(rows({1e9, 2e9, 0, 5}, {1e-9, 2e-9, 0, 5}, {0, 0, 1, 5}));  // one line in two units
+}
+
+TEST_CASE("a matrix that is not finite has no inverse", "[04.4]") {
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    for (const Real bad : {nan, infinity, -infinity})
+        for (int c = 0; c < 4; ++c)
+            for (int r = 0; r < 3; ++r) {
+                Mat4 m = scaling({1, 2, 3});
+                m[c][r] = bad;
+                CAPTURE(bad, c, r);
+                CHECK_FALSE(inverse(m).has_value());
+            }
+    // The inverse would not fit into a number.
+    CHECK_FALSE(inverse(rows({1e-200, 0, 0, 1e200}, {0, 1, 0, 0}, {0, 0, 1, 0})).has_value());
+}
+
+TEST_CASE("an inverse undoes its matrix from both sides", "[04.4]") {
+    Random random(4401);
+    for (int i = 0; i < cases(5000); ++i) {
+        const Mat4 m = some_affine(random);
+        const Mat4 x = inverted(m);
+        // The exact judge comes in the tests of stability; here products are rounded as well.
+        const Real size = 16 * (difference(m, Mat4(0)) * difference(x, Mat4(0)));
+        INFO(show(m));
+        check_matrix(m * x, identity, unit_roundoff * size);
+        check_matrix(x * m, identity, unit_roundoff * size);
+    }
+}
+
+TEST_CASE("in other units the inverse is the same to the bit", "[04.4]") {
+    Random random(4402);
+    for (int i = 0; i < cases(1000); ++i) {
+        const Mat4 m = some_affine(random);
+        const Real unit = std::ldexp(Real(1), static_cast<int>(random.index(81)) - 40);
+        const Mat4 x = inverted(m);
+        INFO(show(m) << "\nunit " << unit);
+        check_matrix(inverted(scaling(Vec3(unit)) * m), x * scaling(Vec3(1 / unit)));
+        check_matrix(inverted(m * scaling(Vec3(unit))), scaling(Vec3(1 / unit)) * x);
+    }
+}
+
+// ----------------------------------------------------------------- 04.5 points, vectors, normals and rays
+
+TEST_CASE("points feel a translation and directions do not", "[04.5]") {
+    const Mat4 m = rows({2, 0, 0, 10}, {0, 3, 0, 20}, {0, 0, 4, 30});
+    check_vector(transform_point(m, {1, 1, 1}), {12, 23, 34});
+    check_vector(transform_vector(m, {1, 1, 1}), {2, 3, 4});
+}
+
+TEST_CASE("the columns of a matrix are the images of the axes", "[04.5]") {
+    const Mat4 m = rows({1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12});
+    check_vector(transform_vector(m, {1, 0, 0}), {1, 5, 9});
+    check_vector(transform_vector(m, {0, 1, 0}), {2, 6, 10});
+    check_vector(transform_vector(m, {0, 0, 1}), {3, 7, 11});
+    check_vector(transform_point(m, {0, 0, 0}), {4, 8, 12});
+}
+
+TEST_CASE("the normal of a slope that is stretched along x turns up", "[04.5]") {
+    // The plane x + y = 0 contains (1, -1, 0). Stretched by 2 along x it contains (2, -1, 0): its normal is
+    // along (1, 2, 0), which is (1/2, 1, 0), and not along (2, 1, 0).
+    check_vector(transform_normal(scaling({0.5, 1, 1}), {1, 1, 0}), {0.5, 1, 0});
+}
+
+TEST_CASE("a translation does not change a normal", "[04.5]") {
+    check_vector(transform_normal(translation({-5, 6, 7}), {0.25, 0.5, 1}), {0.25, 0.5, 1});
+}
+
+TEST_CASE("a shear turns the normals of the sides that it slants", "[04.5]") {
+    // x grows by 3y: the sides that faced x lean over, top and bottom do not.
+    const Mat4 back = rows({1, -3, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0});
+    check_vector(transform_normal(back, {1, 0, 0}), {1, -3, 0});
+    check_vector(transform_normal(back, {0, 1, 0}), {0, 1, 0});
+}
+
+TEST_CASE("under a reflection outward normals stay outward", "[04.5]") {
+    const Mat4 m = scaling({-2, 1, 1});
+    // The right side of a cube becomes its left side.
+    check_vector(transform_normal(inverted(m), {1, 0, 0}), {-0.5, 0, 0});
+}
+
+TEST_CASE("normals stay at right angles to tangents", "[04.5]") {
+    Random random(4501);
+    for (int i = 0; i < cases(5000); ++i) {
+        const Mat4 m = some_affine(random);
+        const std::optional<Mat4> back = inverse(m);
+        REQUIRE(back.has_value());
+        const Vec3 n = random.direction(), tangent = cross(n, random.direction());
+        const Vec3 moved = transform_normal(*back, n), along = transform_vector(m, tangent);
+        INFO(show(m) << "\nnormal " << show(n) << ", tangent " << show(tangent));
+        // Each of the two products of a matrix and a vector is off by 3 roundings of what it adds up.
+        const Real size = difference(m, Mat4(0)) * difference(*back, Mat4(0));
+        CHECK(std::abs(dot(moved, along)) <= gamma(12) * 9 * size);
+        CHECK(length(moved) > 0);
+    }
+}
+
+TEST_CASE("a ray in local space: origin as a point, direction as a vector, the same time", "[04.5]") {
+    const Mat4 m = rows({2, 0, 0, 10}, {0, 4, 0, 0}, {0, 0, 1, 0});
+    const Transform transform{m, inverted(m)};
+    const Ray local = to_local(transform, {{14, 8, 3}, {1, 1, -1}, 0.25});
+    check_vector(local.origin, {2, 2, 3});
+    check_vector(local.direction, {0.5, 0.25, -1});
+    CHECK(local.time == 0.25);
+}
+
+TEST_CASE("t means the same point in both spaces", "[04.5]") {
+    Random random(4502);
+    for (int i = 0; i < cases(5000); ++i) {
+        const Mat4 m = some_affine(random);
+        const std::optional<Mat4> back = inverse(m);
+        REQUIRE(back.has_value());
+        const Ray world{random.in_cube(), random.magnitude(-2, 2) * random.direction()};
+        const Ray local = to_local({m, *back}, world);
+        const Real t = random.uniform(0, 10);
+        const Vec3 there = point_at(world, t), again = transform_point(m, point_at(local, t));
+        INFO(show(m) << "\nt " << t << "\nin the world " << show(there) << ", from local space " << show(again));
+        const Real size = 9 * difference(m, Mat4(0)) * difference(*back, Mat4(0)) *
+                          (2 + length(world.origin) + t * length(world.direction));
+        CHECK(length(there - again) <= gamma(16) * size);
+    }
+}
+
+TEST_CASE("a surface in the world: a point by the map, unit normals by its inverse", "[04.5]") {
+    const Mat4 m = rows({2, 0, 0, 10}, {0, 1, 0, 20}, {0, 0, 1, 30});
+    Surface local;
+    local.point = {1, 2, 3};
+    local.normal = normalize(Vec3(1, 1, 0));
+    local.shading_normal = {0, 1, 0};
+    local.uv = {0.25, 0.75};
+    const Surface world = to_world({m, inverted(m)}, local);
+    check_vector(world.point, {12, 22, 33});
+    INFO(show(world.normal));
+    CHECK(length(world.normal - Vec3(1, 2, 0) / std::sqrt(5.0)) <= gamma(8));
+    check_vector(world.shading_normal, {0, 1, 0});
+    CHECK(world.uv == Vec2(0.25, 0.75));
+}
+
+TEST_CASE("normals have length 1 however large or small the map is", "[04.5]") {
+    for (const Real unit : {1e-250, 1e-15, 1.0, 1e15, 1e250}) {
+        const Mat4 m = scaling(unit * Vec3(1, 2, 4));
+        Surface local;
+        local.normal = local.shading_normal = normalize(Vec3(1, 2, 3));
+        const Surface world = to_world({m, inverted(m)}, local);
+        CAPTURE(unit, show(world.normal));
+        CHECK(std::abs(length(world.normal) - 1) <= gamma(4));
+        CHECK(std::abs(length(world.shading_normal) - 1) <= gamma(4));
+    }
+}

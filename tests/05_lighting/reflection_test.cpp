@@ -1,0 +1,275 @@
+// Steps 05.2 to 05.5: what a surface does with the light.
+#include "chapters/05_lighting/lighting.hpp"
+#include "common/math/error.hpp"
+#include "common/scene/query.hpp"
+#include "tests/05_lighting/show.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+using namespace rt;
+using namespace rt::test;
+
+namespace {
+
+const Vec3 up(0, 0, 1);
+
+/// Unit vector in the x-z plane, `degrees` from +z towards +x.
+Vec3 leaning(Real degrees) { return {std::sin(radians(degrees)), 0, std::cos(radians(degrees))}; }
+
+/// A hundred roundings of numbers near 1: far less than any mistake makes, more than any sound way needs.
+constexpr Real bound = 100 * unit_roundoff;
+
+using Highlights = Real (*)(const Vec3&, const Vec3&, const Vec3&, Real);
+
+/// Directions that are made to give trouble: nearly equal, nearly opposite, perpendicular.
+Vec3 awkward(const Vec3& other, Random& random) {
+    switch (random.index(5)) {
+        case 0:
+            return other;
+        case 1:
+            return -other;
+        case 2:
+            return normalize(other + random.magnitude(-17, -1) * random.direction());
+        case 3:
+            return normalize(random.magnitude(-17, -1) * random.direction() - other);
+        default:
+            return random.direction();
+    }
+}
+
+void check_range(Highlights highlight) {
+    Random random(54);
+    for (int i = 0; i < cases(50'000); ++i) {
+        const Vec3 n = random.direction(), l = awkward(n, random);
+        const Vec3 v = random.index(2) == 0 ? awkward(n, random) : awkward(l, random);
+        const Real choices[] = {0, 1, 40, 1e6, random.magnitude(-6, 12)};
+        const Real shininess = choices[random.index(5)];
+        const Real part = highlight(n, l, v, shininess);
+        INFO("n " << show(n) << ", l " << show(l) << ", v " << show(v) << ", shininess " << shininess << ": "
+                  << show(part));
+        REQUIRE(part >= 0);
+        REQUIRE(part <= 1);
+    }
+}
+
+Material matt(const Vec3& diffuse) {
+    Material material;
+    material.ambient = Vec3(0);
+    material.diffuse = diffuse;
+    return material;
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------------------- 05.2 Lambert
+
+TEST_CASE("Lambert: the cosine between normal and light", "[05.2]") {
+    CHECK(lambert(up, up) == 1);
+    CHECK(lambert(up, {0, 0.6, 0.8}) == 0.8);
+    CHECK(lambert(up, {-0.8, 0, 0.6}) == 0.6);
+    CHECK(std::abs(lambert(up, leaning(60)) - 0.5) <= bound);
+}
+
+TEST_CASE("Lambert: nothing from the side or from behind", "[05.2]") {
+    CHECK(lambert(up, {1, 0, 0}) == 0);
+    CHECK(lambert(up, {0, 0.6, -0.8}) == 0);
+    CHECK(lambert(up, -up) == 0);
+}
+
+TEST_CASE("Lambert: zero vectors give 0", "[05.2]") {
+    CHECK(lambert(Vec3(0), up) == 0);
+    CHECK(lambert(up, Vec3(0)) == 0);
+}
+
+TEST_CASE("Lambert: light from all around a surface adds up to π", "[05.2]") {
+    // The integral of the cosine over the hemisphere, by the mean over directions that are uniform in height.
+    const int count = 1000;
+    Real sum = 0;
+    for (int i = 0; i < count; ++i) {
+        const Real z = -1 + (2 * i + 1.0) / count;
+        sum += lambert(up, {std::sqrt(1 - z * z), 0, z});
+    }
+    // z is spaced evenly, so the midpoint rule is exact for the linear integrand.
+    CHECK(std::abs(4 * pi * sum / count - pi) <= count * bound);
+}
+
+// --------------------------------------------------------------------------------------------- 05.3 Blinn
+
+TEST_CASE("Blinn: brightest where the normal is half way between light and viewer", "[05.3]") {
+    for (const Real shininess : {1.0, 10.0, 1000.0})
+        CHECK(std::abs(blinn(up, leaning(40), leaning(-40), shininess) - 1) <= shininess * bound);
+}
+
+TEST_CASE("Blinn: light from above, viewer at 60 degrees, half way at 30", "[05.3]") {
+    CHECK(std::abs(blinn(up, up, leaning(60), 1) - std::sqrt(3.0) / 2) <= bound);
+    CHECK(std::abs(blinn(up, up, leaning(60), 2) - 0.75) <= bound);
+    CHECK(std::abs(blinn(up, up, leaning(60), 8) - 0.31640625) <= bound);
+}
+
+TEST_CASE("Blinn: light and viewer may change places", "[05.3]") {
+    Random random(55);
+    for (int i = 0; i < cases(1'000); ++i) {
+        const Vec3 n = random.direction(), l = random.direction(), v = random.direction();
+        INFO("n " << show(n) << ", l " << show(l) << ", v " << show(v));
+        REQUIRE(blinn(n, l, v, 7) == blinn(n, v, l, 7));
+    }
+}
+
+TEST_CASE("Blinn: nothing where the half vector points away, or has no direction", "[05.3]") {
+    CHECK(blinn(up, -leaning(20), -leaning(10), 5) == 0);
+    CHECK(blinn(up, -leaning(20), -leaning(10), 0) == 0);
+    CHECK(blinn(up, leaning(50), -leaning(50), 5) == 0);
+    CHECK(blinn(up, leaning(50), -leaning(50), 0) == 0);
+    CHECK(blinn(Vec3(0), up, up, 5) == 0);
+    CHECK(blinn(up, Vec3(0), Vec3(0), 5) == 0);
+}
+
+TEST_CASE("Blinn: shininess 0 is a highlight all over, shininess 1e6 a pinprick", "[05.3]") {
+    CHECK(blinn(up, up, leaning(80), 0) == 1);
+    CHECK(blinn(up, up, up, 1e6) == 1);
+    // h is 0.05 degrees off: cos^1e6 is about exp(-1e6 · 0.05²/2) with the angle in radians.
+    CHECK(std::abs(blinn(up, up, leaning(0.1), 1e6) - std::exp(-0.5e6 * radians(0.05) * radians(0.05))) <=
+          1e-6);
+    CHECK(blinn(up, up, leaning(10), 1e6) <= 1e-300);
+}
+
+TEST_CASE("Blinn: always between 0 and 1", "[05.3]") { check_range(blinn); }
+
+// --------------------------------------------------------------------------------------------- 05.4 Phong
+
+TEST_CASE("Phong: brightest in the mirror direction", "[05.4]") {
+    CHECK(phong({0, 1, 0}, {0.6, 0.8, 0}, {-0.6, 0.8, 0}, 3) == Approx(1).epsilon(bound));
+    for (const Real shininess : {1.0, 10.0, 1000.0})
+        CHECK(std::abs(phong(up, leaning(40), leaning(-40), shininess) - 1) <= shininess * bound);
+}
+
+TEST_CASE("Phong: viewer on the normal, light at cosine 0.8", "[05.4]") {
+    CHECK(std::abs(phong({0, 1, 0}, {0.6, 0.8, 0}, {0, 1, 0}, 1) - 0.8) <= bound);
+    CHECK(std::abs(phong({0, 1, 0}, {0.6, 0.8, 0}, {0, 1, 0}, 2) - 0.64) <= bound);
+}
+
+TEST_CASE("Phong: light from above, viewer at 60 degrees, so the mirror direction is 60 degrees away",
+          "[05.4]") {
+    CHECK(std::abs(phong(up, up, leaning(60), 1) - 0.5) <= bound);
+    CHECK(std::abs(phong(up, up, leaning(60), 3) - 0.125) <= bound);
+}
+
+TEST_CASE("Phong: nothing where the mirror direction is 90 degrees away or more", "[05.4]") {
+    CHECK(phong({0, 1, 0}, {0.6, 0.8, 0}, {0.8, 0.6, 0}, 0.5) <= 1e-7);
+    CHECK(phong({0, 1, 0}, {0.6, 0.8, 0}, {0.96, 0.28, 0}, 0) == 0);
+    CHECK(phong({0, 1, 0}, {0.6, 0.8, 0}, {0.96, 0.28, 0}, 5) == 0);
+}
+
+TEST_CASE("Phong: shininess 0 is a highlight all over, shininess 1e6 a pinprick", "[05.4]") {
+    CHECK(phong(up, leaning(-30), leaning(40), 0) == 1);
+    CHECK(phong(up, up, up, 1e6) == 1);
+    CHECK(phong(up, up, leaning(10), 1e6) <= 1e-300);
+}
+
+TEST_CASE("Phong: always between 0 and 1", "[05.4]") { check_range(phong); }
+
+TEST_CASE("Phong's angle is twice Blinn's where light, normal and viewer lie in a plane", "[05.4]") {
+    Random random(56);
+    for (int i = 0; i < cases(5'000); ++i) {
+        const Real to_light = random.uniform(-89, 89), to_viewer = random.uniform(-89, 89);
+        if (std::abs(to_light + to_viewer) > 89) continue;
+        const Real half = blinn(up, leaning(to_light), leaning(to_viewer), 1);
+        const Real mirrored = phong(up, leaning(to_light), leaning(to_viewer), 1);
+        INFO("light at " << to_light << " degrees, viewer at " << to_viewer);
+        REQUIRE(std::abs(mirrored - (2 * half * half - 1)) <= bound);
+    }
+}
+
+// ------------------------------------------------------------------------------------- 05.5 the whole sum
+
+TEST_CASE("a matt surface: visibility · colour · diffuse · cosine", "[05.5]") {
+    const LightSample light{.direction = {0, 0.6, 0.8}, .distance = 1, .color = {2, 4, 1}};
+    const Material material = matt({0.5, 0.25, 1});
+    CHECK(near(reflected_light(material, up, up, light, Vec3(1)), {0.8, 0.8, 0.8}, bound));
+    CHECK(near(reflected_light(material, up, up, light, {1, 0.5, 0}), {0.8, 0.4, 0}, bound));
+    CHECK(reflected_light(material, up, up, light, Vec3(0)) == Vec3(0));
+}
+
+TEST_CASE("a shiny surface adds specular · highlight", "[05.5]") {
+    const LightSample light{.direction = up, .distance = 1, .color = {1, 2, 4}};
+    Material material = matt({0.5, 0, 0});
+    material.specular = {0, 0.25, 0.5};
+    material.shininess = 2;
+    // h is at 30 degrees from the normal, r at 60 from the viewer.
+    CHECK(near(reflected_light(material, up, leaning(60), light, Vec3(1)), {0.5, 0.375, 1.5}, bound));
+    material.highlight = Highlight::Phong;
+    CHECK(near(reflected_light(material, up, leaning(60), light, Vec3(1)), {0.5, 0.125, 0.5}, bound));
+}
+
+TEST_CASE("light from behind gives nothing, not even a highlight", "[05.5]") {
+    Material material = matt(Vec3(0.5));
+    material.specular = Vec3(1);
+    material.shininess = 1;
+    // The half vector is on the normal's side; the surface is in the way all the same.
+    const LightSample behind{.direction = leaning(95), .distance = 1, .color = Vec3(1)};
+    for (const Highlight highlight : {Highlight::Blinn, Highlight::Phong}) {
+        material.highlight = highlight;
+        CHECK(reflected_light(material, up, leaning(-60), behind, Vec3(1)) == Vec3(0));
+        CHECK(reflected_light(material, up, leaning(-60), {{1, 0, 0}, 1, Vec3(1)}, Vec3(1)) == Vec3(0));
+    }
+}
+
+TEST_CASE("zero normals and directions, and light on the surface, give black and never NaN", "[05.5]") {
+    Material material = matt(Vec3(0.5));
+    material.specular = Vec3(1);
+    const Vec3 vectors[] = {Vec3(0), up, -up, {1, 0, 0}};
+    for (const Real shininess : {0.0, 1.0, 1e6}) {
+        material.shininess = shininess;
+        for (const Vec3& n : vectors)
+            for (const Vec3& l : vectors)
+                for (const Vec3& v : vectors)
+                    for (const Highlight highlight : {Highlight::Blinn, Highlight::Phong}) {
+                        material.highlight = highlight;
+                        const Vec3 color = reflected_light(material, n, v, {l, 0, Vec3(1)}, Vec3(1));
+                        INFO("n " << show(n) << ", l " << show(l) << ", v " << show(v) << ": "
+                                  << show(color));
+                        REQUIRE(is_finite(color));
+                        if (n == Vec3(0) || l == Vec3(0)) REQUIRE(color == Vec3(0));
+                    }
+    }
+    const LightSample on_the_point = sample_light(PointLight{.position = up, .color = Vec3(1)}, up);
+    CHECK(reflected_light(material, up, up, on_the_point, Vec3(1)) == Vec3(0));
+}
+
+TEST_CASE("twice the light is twice the radiance, and lights do not disturb each other", "[05.5]") {
+    Random random(57);
+    for (int i = 0; i < cases(5'000); ++i) {
+        Material material = matt(Vec3(random.uniform(0, 1)));
+        material.specular = Vec3(random.uniform(0, 1), 0, random.uniform(0, 1));
+        material.shininess = random.magnitude(-1, 3);
+        LightSample light{
+            .direction = random.direction(), .distance = 1, .color = Vec3(random.uniform(0, 1))};
+        const Vec3 n = random.direction(), v = random.direction();
+        const Vec3 once = reflected_light(material, n, v, light, Vec3(1));
+        light.color *= 2;
+        REQUIRE(reflected_light(material, n, v, light, Vec3(1)) == Real(2) * once);
+    }
+}
+
+TEST_CASE("what a surface shows without light is ambient plus emission", "[05.5]") {
+    Material material = matt(Vec3(1));
+    material.ambient = {0.125, 0.25, 0};
+    material.emission = {0.25, 0, 0.5};
+    CHECK(emitted_light(material) == Vec3(0.375, 0.25, 0.5));
+}
+
+TEST_CASE("a million lights add up", "[05.5]") {
+    const int count = cases(1'000'000);
+    World world;
+    world.point_lights.assign(
+        static_cast<std::size_t>(count),
+        {.position = {0, 0, 2}, .color = Vec3(1.0 / count), .attenuation = {0, 0, 0.25}});
+    Surface surface;
+    surface.normal = surface.shading_normal = up;
+    Material material = matt(Vec3(0.5));
+    material.ambient = Vec3(0.125);
+    const Vec3 color = local_light(world, surface, material, up, up);
+    INFO(count << " lights: " << show(color));
+    // Half of all the light, and the ambient; a rounding for each addition.
+    CHECK(near(color, Vec3(0.625), count * unit_roundoff));
+}

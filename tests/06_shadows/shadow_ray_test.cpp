@@ -1,0 +1,191 @@
+// Steps 06.1 and 06.2: where a shadow ray starts, where it goes and where it ends.
+#include "chapters/01_ray_casting/plane.hpp"
+#include "common/math/error.hpp"
+#include "tests/06_shadows/show.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+using namespace rt;
+using namespace rt::test;
+
+namespace {
+
+Surface surface_with(const Vec3& point, const Vec3& error, const Vec3& normal) {
+    return {.point = point, .error = error, .normal = normal, .shading_normal = normal};
+}
+
+Surface some_surface(Random& random) {
+    const Vec3 point = random.magnitude(-9, 9) * random.in_cube();
+    const Vec3 error =
+        random.magnitude(-18, -12) * (length(point) + random.magnitude(-9, 9)) * Vec3(0.1, 1, 3);
+    return surface_with(point, error, random.direction());
+}
+
+/// The next floating-point number, upwards and downwards.
+Real up_from(Real x) { return std::nextafter(x, infinity); }
+Real down_from(Real x) { return std::nextafter(x, -infinity); }
+
+}  // namespace
+
+// -------------------------------------------------------------------------------------- 06.1 offset_origin
+
+TEST_CASE("a level surface: the origin moves up by the error in height", "[06.1]") {
+    const Surface floor = surface_with({1, 2, 3}, {4, 0.25, 8}, {0, 1, 0});
+    const Vec3 origin = offset_origin(floor, {0.6, 0.8, 0});
+    INFO(show(floor) << ": origin " << show(origin));
+    CHECK(origin == Vec3(1, up_from(2.25), 3));
+}
+
+TEST_CASE("a direction to the other side moves the origin to the other side", "[06.1]") {
+    const Surface floor = surface_with({1, 2, 3}, {4, 0.25, 8}, {0, 1, 0});
+    const Vec3 origin = offset_origin(floor, {0.6, -0.8, 0});
+    INFO(show(floor) << ": origin " << show(origin));
+    CHECK(origin == Vec3(1, down_from(1.75), 3));
+}
+
+TEST_CASE("a slanted surface: the box of the error reaches 0.6 · 1/8 + 0.8 · 1/16 = 1/8 along the normal",
+          "[06.1]") {
+    const Surface slope = surface_with({0, 0, 7}, {0.125, 0.0625, 1}, {0.6, 0.8, 0});
+    const Vec3 origin = offset_origin(slope, {0, 1, 0});
+    INFO(show(slope) << ": origin " << show(origin));
+    CHECK(near(origin, {0.075, 0.1, 7}, 2 * unit_roundoff));
+    CHECK(origin.z == 7);
+}
+
+TEST_CASE("a surface that is known exactly needs no offset", "[06.1]") {
+    const Surface exact = surface_with({1, 2, 3}, Vec3(0), {0.6, 0.8, 0});
+    CHECK(offset_origin(exact, {0, 1, 0}) == Vec3(1, 2, 3));
+}
+
+TEST_CASE("the normal of the geometry counts, not the interpolated one", "[06.1]") {
+    Surface surface = surface_with({0, 2, 0}, Vec3(0.25), {0, 1, 0});
+    surface.shading_normal = {0.6, -0.8, 0};
+    CHECK(offset_origin(surface, {0, 1, 0}) == Vec3(0, up_from(2.25), 0));
+}
+
+TEST_CASE("an offset too small to change the point still moves it on to the next number", "[06.1]") {
+    const Surface surface = surface_with({1, 1, -1}, Vec3(1e-30), {0.48, -0.6, 0.64});
+    const Vec3 origin = offset_origin(surface, {1, 0, 0});
+    INFO("origin " << show(origin));
+    CHECK(origin == Vec3(up_from(1), down_from(1), up_from(-1)));
+}
+
+TEST_CASE("the origin is outside of the box of the error, and hardly more", "[06.1]") {
+    Random random(61);
+    for (int i = 0; i < cases(50'000); ++i) {
+        const Surface surface = some_surface(random);
+        const Vec3 direction = random.direction();
+        const Vec3 origin = offset_origin(surface, direction);
+        const Vec3 side = dot(direction, surface.normal) < 0 ? -surface.normal : surface.normal;
+        const Real d = dot(glm::abs(side), surface.error);
+        INFO(show(surface) << ": origin " << show(origin) << ", to leave along " << show(direction));
+        // How far the farthest corner of the box is from the origin, along the normal; 16 roundings of d in
+        // all. Origin and point are so near each other that their difference is exact, or else larger than d.
+        const Real moved = dot(origin - surface.point, side);
+        REQUIRE(moved - d >= -16 * unit_roundoff * d);
+        for (int k = 0; k < 3; ++k) {
+            const Real wanted = surface.point[k] + d * side[k];
+            const Real step = 4 * unit_roundoff * std::max(std::abs(wanted), d);
+            REQUIRE(std::abs(origin[k] - wanted) <= step);
+        }
+    }
+}
+
+TEST_CASE("a scene larger or smaller by a power of two has the same origin, larger or smaller, to the bit",
+          "[06.1]") {
+    Random random(62);
+    for (int i = 0; i < cases(5'000); ++i) {
+        Surface surface = some_surface(random);
+        const Vec3 direction = random.direction();
+        const Vec3 origin = offset_origin(surface, direction);
+        for (const int k : {-40, -1, 1, 40}) {
+            Surface scaled = surface;
+            scaled.point *= std::ldexp(1.0, k);
+            scaled.error *= std::ldexp(1.0, k);
+            INFO(show(surface) << " times 2^" << k);
+            REQUIRE(offset_origin(scaled, direction) == std::ldexp(1.0, k) * origin);
+        }
+    }
+}
+
+// ----------------------------------------------------------------------------------------- 06.2 shadow_ray
+
+TEST_CASE("a shadow ray goes from the point to the lamp, and ends just before it", "[06.2]") {
+    const Surface floor = surface_with({3, 0, 0}, Vec3(0), {0, 1, 0});
+    const ShadowRay shadow = shadow_ray(floor, {.direction = {-0.6, 0.8, 0}, .distance = 5});
+    INFO(show(shadow));
+    CHECK(shadow.ray.origin == Vec3(3, 0, 0));
+    CHECK(near(shadow.ray.direction, {-0.6, 0.8, 0}, 4 * unit_roundoff));
+    CHECK(shadow.range.min == 0);
+    CHECK(shadow.range.max < 5);
+    CHECK(shadow.range.max >= 5 * (1 - gamma(20)));
+}
+
+TEST_CASE("a shadow ray to the sun has no end", "[06.2]") {
+    const Surface floor = surface_with({3, 0, 0}, Vec3(0.25), {0, 1, 0});
+    const ShadowRay shadow = shadow_ray(floor, {.direction = {-0.6, 0.8, 0}, .distance = infinity});
+    INFO(show(shadow));
+    CHECK(shadow.ray.origin == offset_origin(floor, {-0.6, 0.8, 0}));
+    CHECK(shadow.ray.direction == Vec3(-0.6, 0.8, 0));
+    CHECK(shadow.range.min == 0);
+    CHECK(shadow.range.max == infinity);
+}
+
+TEST_CASE("what the offset has gained is not walked again", "[06.2]") {
+    const Surface floor = surface_with({3, 0, 0}, Vec3(0.25), {0, 1, 0});
+    const ShadowRay shadow = shadow_ray(floor, {.direction = {0, 1, 0}, .distance = 5});
+    INFO(show(shadow));
+    CHECK(shadow.range.max < 4.75);
+    CHECK(shadow.range.max >= 4.75 * (1 - gamma(20)));
+}
+
+TEST_CASE("the ray is aimed at the lamp from where it starts", "[06.2]") {
+    // 3 to the side and 4 up from the offset origin, which is 1 above the point.
+    const Surface floor = surface_with({0, 0, 0}, Vec3(1), {0, 1, 0});
+    const Vec3 to_lamp(3, 5, 0);
+    const ShadowRay shadow =
+        shadow_ray(floor, {.direction = normalize(to_lamp), .distance = length(to_lamp)});
+    INFO(show(shadow));
+    CHECK(near(shadow.ray.direction, {0.6, 0.8, 0}, 8 * unit_roundoff));
+    CHECK(std::abs(shadow.range.max - 5) <= 5 * gamma(24));
+}
+
+TEST_CASE("a lamp behind the surface is asked from behind", "[06.2]") {
+    const Surface floor = surface_with({0, 2, 0}, Vec3(0.25), {0, 1, 0});
+    const ShadowRay shadow = shadow_ray(floor, {.direction = {0, -1, 0}, .distance = 2});
+    CHECK(shadow.ray.origin == Vec3(0, down_from(1.75), 0));
+    CHECK(shadow.range.max < 1.75);
+}
+
+TEST_CASE("a lamp on the surface makes no NaN", "[06.2]") {
+    for (const Real error : {0.0, 0.25}) {
+        const Surface floor = surface_with({0, 2, 0}, Vec3(error), {0, 1, 0});
+        for (const Real distance : {0.0, error}) {
+            const ShadowRay shadow = shadow_ray(floor, {.direction = {0, 1, 0}, .distance = distance});
+            INFO("error " << error << ", distance " << distance << ": " << show(shadow));
+            CHECK(is_finite(shadow.ray.origin));
+            CHECK(is_finite(shadow.ray.direction));
+            CHECK(shadow.range.max >= 0);
+            CHECK(shadow.range.max <= error);
+        }
+    }
+}
+
+TEST_CASE("a lamp that hangs in the ceiling is not hidden by the ceiling", "[06.2]") {
+    Random random(63);
+    const Plane floor{{7, 0.1, -5}, {0, 1, 0}}, ceiling{{-3, 2.7, 40}, {0, -1, 0}};
+    int hidden = 0;
+    const int rays = cases(20'000);
+    for (int i = 0; i < rays; ++i) {
+        const Ray view{{0, 1.5, 0}, normalize(Vec3(random.uniform(-9, 9), -1, random.uniform(-9, 9)))};
+        const std::optional<Hit> hit = intersect(floor, view, Interval{});
+        if (!hit) continue;
+        const Surface surface = surface_at(floor, view, *hit);
+        const PointLight lamp{.position = {random.uniform(-9, 9), 2.7, random.uniform(-9, 9)},
+                              .color = Vec3(1)};
+        const ShadowRay shadow = shadow_ray(surface, sample_light(lamp, surface.point));
+        if (intersect(ceiling, shadow.ray, shadow.range)) ++hidden;
+    }
+    INFO(hidden << " of " << rays << " lamps are hidden");
+    CHECK(hidden == 0);
+}

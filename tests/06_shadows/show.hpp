@@ -1,0 +1,43 @@
+// How failing tests of this chapter show what went in and what came out; and worlds of a few shapes.
+#pragma once
+
+#include "chapters/06_shadows/shadow.hpp"
+#include "common/render/compile.hpp"
+#include "tests/05_lighting/show.hpp"
+
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace rt::test {
+
+inline std::string show(const Surface& surface) {
+    return "surface at " + show(surface.point) + " +- " + show(surface.error) + ", normal " +
+           show(surface.normal);
+}
+
+inline std::string show(const ShadowRay& shadow) {
+    return "shadow ray from " + show(shadow.ray.origin) + " along " + show(shadow.ray.direction) + " in (" +
+           show(shadow.range.min) + ", " + show(shadow.range.max) + "]";
+}
+
+/// A shape and which part of light it lets through.
+struct Thing {
+    std::variant<Sphere, Plane> shape;
+    Vec3 transmission{0};
+};
+
+inline World world_of(const std::vector<Thing>& things) {
+    Scene scene;
+    for (const auto& [shape, transmission] : things) {
+        Object object{
+            .shape = Sphere{}, .material = static_cast<std::uint32_t>(scene.materials.size()), .place = {}};
+        std::visit([&](const auto& one) { object.shape = one; }, shape);
+        scene.objects.push_back(object);
+        scene.materials.emplace_back();
+        scene.materials.back().transmission = transmission;
+    }
+    return compile(scene);
+}
+
+}  // namespace rt::test

@@ -1,0 +1,468 @@
+// Steps 07.4 to 07.6: the media around a ray, the rays that go on from a hit, and the tree of rays.
+#include "chapters/07_recursion/optics.hpp"
+#include "chapters/07_recursion/radiance.hpp"
+
+#include "common/math/error.hpp"
+#include "common/render/compile.hpp"
+#include "common/render/trace.hpp"
+#include "common/scene/parse.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <string>
+
+namespace {
+
+// Memory that this thread has taken by `new` while it is watched.
+thread_local bool watched = false;
+thread_local std::size_t taken = 0;
+thread_local std::size_t most_taken = 0;
+
+constexpr std::size_t header = alignof(std::max_align_t);
+
+}  // namespace
+
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    auto* block = static_cast<char*>(std::malloc(size + header));
+    if (!block) return nullptr;
+    const std::size_t counted = watched ? size : 0;
+    taken += counted;
+    most_taken = std::max(most_taken, taken);
+    *reinterpret_cast<std::size_t*>(block) = counted;
+    return block + header;
+}
+void* operator new(std::size_t size) {
+    if (void* block = operator new(size, std::nothrow)) return block;
+    throw std::bad_alloc();
+}
+void operator delete(void* pointer) noexcept {
+    if (!pointer) return;
+    char* block = static_cast<char*>(pointer) - header;
+    taken -= std::min(taken, *reinterpret_cast<std::size_t*>(block));
+    std::free(block);
+}
+void operator delete(void* pointer, std::size_t) noexcept { operator delete(pointer); }
+void operator delete(void* pointer, const std::nothrow_t&) noexcept { operator delete(pointer); }
+
+using namespace rt;
+using namespace rt::test;
+
+namespace {
+
+constexpr Real u = unit_roundoff;
+
+bool near(const Vec3& actual, const Vec3& expected, Real bound) { return length(actual - expected) <= bound; }
+
+std::string show(const Vec3& v) {
+    return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
+}
+
+/// The world of a scene text that looks along −z from (0, 0, 5).
+World world_of(const std::string& text, const std::string& camera = "camera 0 0 5 0 0 0 0 1 0 45\n") {
+    return compile(parse_scene_text("size 4 4\nambient 0 0 0\n" + camera + text, "test.scene"));
+}
+
+const Ray forward{{0, 0, 5}, {0, 0, -1}};
+
+/// A camera ray's branch that has just met something, and what it met.
+struct Arrival {
+    Branch branch;
+    Hit hit;
+    Surface surface;
+    Material material;
+};
+Arrival arrive(const World& world, const Branch& branch) {
+    const auto hit = closest_hit(world, branch.ray, {0, infinity});
+    REQUIRE(hit);
+    const Surface surface = surface_at(world, branch.ray, *hit);
+    return {branch, *hit, surface, material_at(world, *hit, surface)};
+}
+Branches scatter_at(const World& world, const Ray& ray, Media media = {}, Vec3 weight = Vec3(1),
+                    int depth = 0) {
+    const Arrival a = arrive(world, {ray, weight, depth, RayKind::Camera, media});
+    return scatter(world, a.branch, a.hit, a.surface, a.material);
+}
+
+Media media_of(std::initializer_list<std::uint32_t> objects) {
+    Media media;
+    for (const std::uint32_t object : objects) media.inside[media.count++] = {object, 10 + object};
+    return media;
+}
+void check_media(const Media& actual, std::initializer_list<std::uint32_t> objects) {
+    std::string expected, got;
+    for (const std::uint32_t object : objects) expected += " " + std::to_string(object);
+    for (std::uint32_t i = 0; i < std::min<std::uint32_t>(actual.count, 8); ++i)
+        got += " " + std::to_string(actual.inside[i].object);
+    CHECK(got == expected);
+    CHECK(actual.count == objects.size());
+    for (std::uint32_t i = 0; i < std::min<std::uint32_t>(actual.count, 8); ++i)
+        CHECK(actual.inside[i].material == 10 + actual.inside[i].object);
+}
+Media crossed(const Media& media, std::uint32_t object) { return cross(media, {object, 10 + object}); }
+
+}  // namespace
+
+// 07.4, media --------------------------------------------------------------------------------------------
+
+TEST_CASE("a surface met for the first time is entered, met again it is left", "[07.4]") {
+    const Media inside = crossed({}, 3);
+    check_media(inside, {3});
+    check_media(crossed(inside, 3), {});
+}
+
+TEST_CASE("media nest: the last entered is the one around the ray", "[07.4]") {
+    check_media(crossed(media_of({5}), 2), {5, 2});
+    check_media(crossed(media_of({5, 2}), 2), {5});
+}
+
+TEST_CASE("where media overlap, the first may be left first", "[07.4]") {
+    check_media(crossed(media_of({5, 2}), 5), {2});
+    check_media(crossed(media_of({1, 2, 3, 4}), 2), {1, 3, 4});
+}
+
+TEST_CASE("the ninth medium at once counts as not entered, and leaving it changes nothing", "[07.4]") {
+    const Media full = media_of({1, 2, 3, 4, 5, 6, 7, 8});
+    check_media(crossed(full, 9), {1, 2, 3, 4, 5, 6, 7, 8});
+    check_media(crossed(crossed(full, 9), 9), {1, 2, 3, 4, 5, 6, 7, 8});
+    check_media(crossed(full, 1), {2, 3, 4, 5, 6, 7, 8});
+}
+
+TEST_CASE("entering and leaving in any order ends outside", "[07.4]") {
+    Random random(78);
+    for (int i = 0; i < cases(2000); ++i) {
+        Media media;
+        std::vector<std::uint32_t> inside;
+        for (int step = 0; step < 40; ++step) {
+            const auto object = static_cast<std::uint32_t>(random.index(6));
+            media = crossed(media, object);
+            const auto at = std::find(inside.begin(), inside.end(), object);
+            if (at != inside.end())
+                inside.erase(at);
+            else
+                inside.push_back(object);
+            REQUIRE(media.count == inside.size());
+            for (std::size_t k = 0; k < inside.size(); ++k) REQUIRE(media.inside[k].object == inside[k]);
+        }
+    }
+}
+
+// 07.5 ---------------------------------------------------------------------------------------------------
+
+TEST_CASE("a mirror sends one ray on, weighted by its specular colour", "[07.5]") {
+    const World world = world_of("specular .5 .25 1\nplane 0 0 0 0 0 1\n");
+    const Branches next = scatter_at(world, forward, {}, {1, 0.5, 0.25}, 2);
+    REQUIRE(next.count == 1);
+    CHECK(next.branch[0].kind == RayKind::Reflection);
+    CHECK(next.branch[0].weight == Vec3(0.5, 0.125, 0.25));
+    CHECK(next.branch[0].depth == 3);
+    CHECK(next.branch[0].ray.direction == Vec3(0, 0, 1));
+    CHECK(next.branch[0].ray.origin.z >= 0);
+    CHECK(next.branch[0].media.count == 0);
+}
+
+TEST_CASE("a mirror mirrors on both sides, whichever way its normal points", "[07.5]") {
+    for (const char* normal : {"0 1 1", "0 -1 -1"}) {
+        const World world = world_of(std::string("specular 1 1 1\nplane 0 0 0 ") + normal + "\n");
+        const Branches next = scatter_at(world, forward);
+        REQUIRE(next.count == 1);
+        INFO("normal " << normal << ", direction " << show(next.branch[0].ray.direction));
+        CHECK(near(next.branch[0].ray.direction, {0, 1, 0}, 8 * u));
+    }
+}
+
+TEST_CASE("a matte surface sends nothing on", "[07.5]") {
+    CHECK(scatter_at(world_of("diffuse 1 1 1\nplane 0 0 0 0 0 1\nspecular 1 0 0\nsphere 9 9 9 1\n"), forward)
+              .count == 0);
+}
+
+TEST_CASE("glass by Fresnel's formulas sends R one way and 1 - R times its colour the other", "[07.5]") {
+    for (const char* law : {"exact", "schlick"}) {
+        const World world =
+            world_of(std::string("transmission 1 .5 .25\nior 1.5\nfresnel ") + law + "\nsphere 0 0 0 1\n");
+        const Branches next = scatter_at(world, forward);
+        REQUIRE(next.count == 2);
+        const Branch &mirrored = next.branch[0], &through = next.branch[1];
+        INFO(law << ": mirrored " << show(mirrored.weight) << ", through " << show(through.weight));
+        CHECK(mirrored.kind == RayKind::Reflection);
+        CHECK(near(mirrored.weight, Vec3(0.04), 8 * u));
+        CHECK(mirrored.media.count == 0);
+        CHECK(near(mirrored.ray.direction, {0, 0, 1}, 8 * u));
+        CHECK(through.kind == RayKind::Refraction);
+        CHECK(near(through.weight, 0.96 * Vec3(1, 0.5, 0.25), 8 * u));
+        CHECK(through.media.count == 1);
+        CHECK(near(through.ray.direction, {0, 0, -1}, 8 * u));
+        CHECK(mirrored.ray.origin.z >= 1);
+        CHECK(through.ray.origin.z <= 1);
+    }
+}
+
+TEST_CASE("without a Fresnel law glass mirrors by its specular colour and lets all its colour through",
+          "[07.5]") {
+    const World world = world_of("specular .1 .2 .3\ntransmission .9 .8 .7\nior 1.5\nsphere 0 0 0 1\n");
+    const Branches next = scatter_at(world, forward);
+    REQUIRE(next.count == 2);
+    CHECK(next.branch[0].weight == Vec3(0.1, 0.2, 0.3));
+    CHECK(next.branch[1].weight == Vec3(0.9, 0.8, 0.7));
+}
+
+TEST_CASE("light bends towards the normal on its way into glass and away from it on its way out", "[07.5]") {
+    const World world = world_of("transmission 1 1 1\nior 1.5\nplane 0 0 0 0 0 1\n");
+    const Ray slanted{{0, 0, 1}, {0.6, 0, -0.8}};
+    const Branches in = scatter_at(world, slanted);
+    REQUIRE(in.count == 1);
+    CHECK(near(in.branch[0].ray.direction, {0.4, 0, -std::sqrt(0.84)}, 8 * u));
+    // From the other side, inside: sine 0.4 becomes 0.6.
+    const Ray back{{0, 0, -1}, {0.4, 0, std::sqrt(0.84)}};
+    const Branches out = scatter_at(world, back, in.branch[0].media);
+    REQUIRE(out.count == 1);
+    CHECK(near(out.branch[0].ray.direction, {0.6, 0, 0.8}, 8 * u));
+    CHECK(out.branch[0].media.count == 0);
+}
+
+TEST_CASE("where reflection is total all light goes along the mirror direction, inside", "[07.5]") {
+    const Ray slanted{{0, 0, -1}, {0.8, 0, 0.6}};
+    for (const char* law : {"none", "exact", "schlick"}) {
+        const World world =
+            world_of(std::string("specular .1 .1 .1\ntransmission .8 .8 .8\nior 1.5\nfresnel ") + law +
+                     "\nplane 0 0 0 0 0 1\n");
+        const Branches next = scatter_at(world, slanted, cross({}, {0, world.primitives[0].material}));
+        REQUIRE(next.count == 1);
+        INFO(law << ": weight " << show(next.branch[0].weight));
+        CHECK(next.branch[0].kind == RayKind::Reflection);
+        CHECK(near(next.branch[0].ray.direction, {0.8, 0, -0.6}, 8 * u));
+        CHECK(next.branch[0].weight == Vec3(1));
+        CHECK(next.branch[0].media.count == 1);
+        CHECK(next.branch[0].ray.origin.z <= 0);
+    }
+}
+
+TEST_CASE("nothing goes on at the greatest depth", "[07.5]") {
+    const World world = world_of("maxdepth 3\nspecular 1 1 1\nplane 0 0 0 0 0 1\n");
+    CHECK(scatter_at(world, forward, {}, Vec3(1), 2).count == 1);
+    CHECK(scatter_at(world, forward, {}, Vec3(1), 3).count == 0);
+    CHECK(scatter_at(world, forward, {}, Vec3(1), 4).count == 0);
+}
+
+TEST_CASE("a ray goes on where one channel contributes more than the least contribution", "[07.5]") {
+    const World world = world_of("mincontribution .125\nspecular .5 .5 .5\nplane 0 0 0 0 0 1\n");
+    CHECK(scatter_at(world, forward, {}, Vec3(0.26)).count == 1);
+    CHECK(scatter_at(world, forward, {}, {0, 0, 0.26}).count == 1);
+    CHECK(scatter_at(world, forward, {}, Vec3(0.25)).count == 0);
+    CHECK(scatter_at(world, forward, {}, Vec3(0.24)).count == 0);
+}
+
+TEST_CASE("light from water into glass bends by the ratio of the two", "[07.5]") {
+    const World world =
+        world_of("transmission 1 1 1\nior 1.33\nsphere 0 0 0 2\nior 1.5\nplane 0 0 0 0 0 1\n");
+    const Media water = cross({}, {0, world.primitives[0].material});
+    const Branches in = scatter_at(world, {{0, 0, 1}, {0.6, 0, -0.8}}, water);
+    REQUIRE(in.count == 1);
+    CHECK(std::abs(in.branch[0].ray.direction.x - 0.6 * 1.33 / 1.5) <= 8 * u);
+    CHECK(in.branch[0].media.count == 2);
+}
+
+// 07.6 ---------------------------------------------------------------------------------------------------
+
+TEST_CASE("a ray that meets nothing sees the background", "[07.6]") {
+    const World world = world_of("background .1 .2 .3\nspecular 1 1 1\nsphere 0 9 0 1\n");
+    CHECK(radiance(world, forward) == Vec3(0.1, 0.2, 0.3));
+}
+
+TEST_CASE("a mirror shows what stands in front of it, weighted by its colour", "[07.6]") {
+    const World world = world_of(
+        "specular .5 .25 1\nemission .125 .125 .125\nplane 0 0 0 0 1 1\n"
+        "specular 0 0 0\nemission 1 .5 .25\nsphere 0 5 0 1\n");
+    const Vec3 color = radiance(world, forward);
+    INFO("expected (0.625, 0.25, 0.375), actual " << show(color));
+    CHECK(near(color, {0.625, 0.25, 0.375}, 8 * u));
+}
+
+TEST_CASE("between two mirrors the sum has one term a bounce", "[07.6]") {
+    for (const int depth : {0, 1, 2, 6}) {
+        const World world =
+            world_of("maxdepth " + std::to_string(depth) +
+                     "\nemission 1 1 1\nspecular .5 .25 0\n"
+                     "plane 0 0 -1 0 0 1\nplane 0 0 9 0 0 -1\nspecular 1 1 1\nsphere 99 0 0 1\n");
+        Vec3 expected(0), weight(1);
+        for (int k = 0; k <= depth; ++k) expected += weight, weight *= Vec3(0.5, 0.25, 0);
+        const RayCounts before = ray_counts();
+        const Vec3 color = radiance(world, forward);
+        INFO("depth " << depth << ": expected " << show(expected) << ", actual " << show(color));
+        CHECK(color == expected);
+        CHECK(ray_counts().reflection - before.reflection == static_cast<std::uint64_t>(depth));
+        CHECK(ray_counts().refraction == before.refraction);
+    }
+}
+
+TEST_CASE("rays that contribute too little end the sum", "[07.6]") {
+    const World world = world_of(
+        "maxdepth 100\nmincontribution .2\nemission 1 1 1\nspecular .5 .5 .5\n"
+        "plane 0 0 -1 0 0 1\nplane 0 0 9 0 0 -1\n");
+    CHECK(radiance(world, forward) == Vec3(1 + 0.5 + 0.25));
+}
+
+TEST_CASE("depth 1000 and 10000 between two facing mirrors: all terms, little memory", "[07.6]") {
+    for (const int depth : {1000, 10000}) {
+        // Terms of 2^-20 add up without any rounding.
+        const std::string glow = "emission 9.5367431640625e-07 0 0\n";
+        const World world = world_of("maxdepth " + std::to_string(depth) + "\n" + glow +
+                                     "specular 1 1 1\nplane 0 0 -1 0 0 1\nplane 0 0 9 0 0 -1\n");
+        CHECK(radiance(world, forward).x == (depth + 1) * 0x1p-20);
+    }
+}
+
+TEST_CASE("the tree of a glass ball in a mirrored room needs no more memory than a stack of its depth",
+          "[07.6]") {
+    const int depth = cases(16) < 16 ? 12 : 16;
+    // Each meeting with the glass sends two rays on, and every ray meets something again.
+    const World world =
+        world_of("maxdepth " + std::to_string(depth) +
+                 "\nspecular 1 1 1\nsphere 0 0 0 20\nspecular .5 .5 .5\ntransmission .5 .5 .5\n"
+                 "ior 1.01\nsphere 0 0 0 4\nsphere .1 0 0 3\nsphere -.1 0 0 2\nsphere 0 .1 0 1\n");
+    const RayCounts before = ray_counts();
+    taken = most_taken = 0;
+    watched = true;
+    const Vec3 color = radiance(world, {{0, 0.3, 5}, {0, 0, -1}});
+    watched = false;
+    const auto rays =
+        ray_counts().reflection + ray_counts().refraction - before.reflection - before.refraction;
+    CHECK(color == Vec3(0));
+    CHECK(rays > 20u * static_cast<unsigned>(depth));
+    // A vector that grows by doubling holds old and new elements for a moment: three times its height.
+    INFO(rays << " rays of " << sizeof(Branch) << " bytes; at most " << most_taken << " bytes at once");
+    CHECK(most_taken <= 3 * static_cast<std::size_t>(depth + 1) * sizeof(Branch) + 256);
+    CHECK(most_taken >= sizeof(Branch));  // memory was counted
+}
+
+TEST_CASE("glass absorbs along the way through it", "[07.6]") {
+    // Straight through the middle: a way of 2 in the ball.
+    const World world =
+        world_of("background 1 1 1\ntransmission 1 .5 1\nior 1.5\nabsorption .1 .2 0\nsphere 0 0 0 1\n");
+    const Vec3 expected(std::exp(-0.2), 0.25 * std::exp(-0.4), 1);
+    const Vec3 color = radiance(world, forward);
+    INFO("expected " << show(expected) << ", actual " << show(color));
+    CHECK(near(color, expected, 32 * u));
+}
+
+TEST_CASE("what glows in absorbing glass is dimmed on its way out, and not twice", "[07.6]") {
+    const World world = world_of(
+        "transmission 1 1 1\nior 1.5\nabsorption .5 1 2\nsphere 0 0 0 3\n"
+        "transmission 0 0 0\nabsorption 0 0 0\nemission 1 1 1\nsphere 0 0 0 1\n");
+    const Vec3 expected(std::exp(-1.0), std::exp(-2.0), std::exp(-4.0));
+    const Vec3 color = radiance(world, forward);
+    INFO("expected " << show(expected) << ", actual " << show(color));
+    CHECK(near(color, expected, 32 * u));
+}
+
+TEST_CASE("through water without an end nothing arrives", "[07.6]") {
+    const World world =
+        world_of("background 1 1 1\ntransmission 1 1 1\nior 1.33\nabsorption .1 0 .3\nplane 0 0 0 0 0 1\n");
+    CHECK(radiance(world, forward) == Vec3(0, 1, 0));
+}
+
+TEST_CASE("a camera in glass: the first way absorbs already, and the ball is left, not entered", "[07.6]") {
+    const World world =
+        world_of("background 1 1 1\ntransmission 1 1 1\nior 1.5\nabsorption .1 .2 .4\nsphere 0 0 5 2\n");
+    REQUIRE(world.eye_inside.size() == 1);
+    const Vec3 color = radiance(world, forward);
+    CHECK(near(color, {std::exp(-0.2), std::exp(-0.4), std::exp(-0.8)}, 16 * u));
+    // Off the middle the ray leaves glass for air, so the sine grows by 1.5.
+    const auto tree = trace_tree(world, {{1, 0, 5}, {0, 0, -1}});
+    REQUIRE(tree.size() == 2);
+    const Vec3 out = tree[1].branch.ray.direction;
+    const Real angle = std::asin(0.5), bent = std::asin(0.75);
+    CHECK(near(out, {std::sin(angle - bent), 0, -std::cos(angle - bent)}, 16 * u));
+}
+
+TEST_CASE("through glass in water in glass the rays obey Bouguer's law", "[07.6]") {
+    // In concentric shells, ior · distance of the ray's line from the centre is the same all along.
+    const std::array<Real, 4> iors{1.5, 1.33, 1.7, 1.2}, radii{4, 3, 2, 1};
+    std::string text = "transmission 1 1 1\nmaxdepth 20\n";
+    for (std::size_t i = 0; i < 4; ++i)
+        text += "ior " + std::to_string(iors[i]) + "\nsphere 0 0 0 " + std::to_string(radii[i]) + "\n";
+    const World world = world_of(text);
+    Random random(79);
+    int deepest = 0;
+    for (int i = 0; i < cases(1000); ++i) {
+        const Real impact = random.uniform(0, 3.9);
+        const auto tree = trace_tree(world, {{impact, 0, 10}, {0, 0, -1}});
+        for (const TraceRecord& record : tree) {
+            const Branch& b = record.branch;
+            const Real ior =
+                b.media.count == 0 ? 1 : world.materials[b.media.inside[b.media.count - 1].material].ior;
+            const Real kept = ior * length(cross(b.ray.origin, b.ray.direction));
+            deepest = std::max(deepest, static_cast<int>(b.media.count));
+            // Up to nine surfaces, each with a few roundings of points up to 4 from the centre.
+            const bool right = std::abs(kept - impact) <= 1000 * u * 4;
+            INFO("impact " << impact << ", inside of " << b.media.count << ", ior " << ior << ", kept "
+                           << kept);
+            if (!right) REQUIRE(right);
+        }
+        CHECK(tree.back().branch.media.count == 0);  // and every ray gets out at last
+    }
+    CHECK(deepest == 4);
+}
+
+TEST_CASE("where two balls of one glass overlap, the faces inside bend nothing", "[07.6]") {
+    const World world = world_of("transmission 1 1 1\nior 1.5\nsphere 0 0 .5 1\nsphere 0 0 -.5 1\n");
+    const auto tree = trace_tree(world, {{0.3, 0.2, 5}, {0, 0, -1}});
+    REQUIRE(tree.size() == 5);
+    CHECK(near(tree[2].branch.ray.direction, tree[1].branch.ray.direction, 16 * u));
+    CHECK(near(tree[3].branch.ray.direction, tree[1].branch.ray.direction, 16 * u));
+    CHECK(tree[2].branch.media.count == 2);
+    CHECK(tree[4].branch.media.count == 0);
+}
+
+TEST_CASE("faces at the same place do no harm: finite, and the tree ends", "[07.6]") {
+    const World world = world_of(
+        "background .5 .5 .5\nmaxdepth 10\ntransmission 1 1 1\nior 1.5\nfresnel exact\nabsorption .1 .1 .1\n"
+        "sphere 0 0 0 1\nsphere 0 0 0 1\nior 1.33\nsphere 0 0 0 1\nplane 0 0 1 0 0 1\n");
+    Random random(80);
+    for (int i = 0; i < cases(2000); ++i) {
+        const Vec3 aim = random.in_cube();
+        const Vec3 color = radiance(world, {{0, 0, 5}, normalize(aim - Vec3(0, 0, 5))});
+        const bool right = color.x >= 0 && color.x <= 0.5 * (1 + 100 * u);
+        INFO("towards " << show(aim) << ": " << show(color));
+        if (!right) REQUIRE(right);
+    }
+}
+
+TEST_CASE("in a closed white room glass by Fresnel's formulas loses no light", "[07.6]") {
+    // Everything sees radiance 1: what is mirrored and what goes through add up to 1, but for the tree's cut.
+    for (const char* law : {"exact", "schlick"}) {
+        const World world = world_of(std::string("background 1 1 1\nmaxdepth 40\nmincontribution 1e-6\n"
+                                                 "transmission 1 1 1\nior 1.5\nfresnel ") +
+                                     law + "\nsphere 0 0 0 1\nsphere 1.5 2 0 1\n");
+        Random random(81);
+        for (int i = 0; i < cases(500); ++i) {
+            const Vec3 aim = 1.5 * random.in_cube();
+            const Vec3 color = radiance(world, {{0, 0, 5}, normalize(aim - Vec3(0, 0, 5))});
+            INFO(law << ", towards " << show(aim) << ": " << show(color));
+            // What is still in a ball after 40 bounces is (1 − R)·R³⁹ ≤ 1/(40e) of what went in; twice that.
+            const bool right = color.x > 0.98 && color.x <= 1 + 1000 * u;
+            if (!right) REQUIRE(right);
+        }
+    }
+}
+
+TEST_CASE("the tree as `course trace` prints it adds up to the pixel", "[07.6]") {
+    // A lake without a bottom, a glass ball in and above it, a mirror; rays from the air and from the water.
+    const World world = world_of(
+        "background .4 .5 .6\nmaxdepth 6\npoint 0 4 4 .5 .5 .5\nspecular .5 .5 .5\ndiffuse .2 .2 .2\n"
+        "sphere 2 1 0 .8\ntransmission .9 .9 .9\nior 1.5\nfresnel exact\nsphere 0 .3 0 1\n"
+        "ior 1.33\nabsorption .3 .1 0\nplane 0 0 0 0 1 0\n",
+        "camera 0 2 5 0 0 0 0 1 0 45\n");
+    Random random(82);
+    for (int i = 0; i < cases(1000); ++i) {
+        const Ray ray{{0, 2, 5}, normalize(Vec3(2, 1.5, 1) * random.in_cube() - Vec3(0, 2, 5))};
+        Vec3 sum(0);
+        for (const TraceRecord& record : trace_tree(world, ray)) sum += record.weight * record.local;
+        const Vec3 color = radiance(world, ray);
+        INFO("ray " << show(ray.direction) << ": pixel " << show(color) << ", tree " << show(sum));
+        if (!near(sum, color, 64 * u)) REQUIRE(near(sum, color, 64 * u));
+    }
+}
