@@ -10,8 +10,6 @@
 namespace rt {
 namespace {
 
-constexpr Sphere unit_sphere{Vec3(0), 1};
-
 bool misses(const Sphere& bound, const Ray& local, Interval range) {
     const Roots roots = intersections(bound, local);
     return roots.count == 0 || roots.t1 <= range.min || roots.t0 > range.max;

@@ -22,9 +22,9 @@ Mat4 scaling(const Vec3& by) {
 }
 
 Mat4 rotation(const Vec3& axis, Real angle) {
-    // 04.2  Column i is the image of the i-th axis e. Rodrigues: with the unit axis k, a vector v turns
-    // into cos·v + (1 − cos)·(k·v)·k + sin·(k × v); for v = e, k·v is k[i]. The axis may be tiny or huge: unit_vector
-    // of chapter 3 brings it to length 1 without overflow.
+    // 04.2  Column i is the image of the i-th axis e. Rodrigues: with the unit axis k, a vector v
+    // turns into cos·v + (1 − cos)·(k·v)·k + sin·(k × v); for v = e, k·v is k[i]. The axis may be tiny or
+    // huge: unit_vector of chapter 3 brings it to length 1 without overflow.
     return todo("04.2");
 }
 
@@ -79,8 +79,8 @@ std::optional<Mat4> refined(const Mat4& m, const Mat4& rough) {
 }  // namespace
 
 std::optional<Mat4> inverse(const Mat4& m) {
-    // Rows are scaled by powers of two, which rounds nothing, so that the greatest element of each is in [1, 2):
-    // then a matrix of millimetres is as good as one of light years.
+    // Rows are scaled by powers of two, which rounds nothing, so that the greatest element of each is in [1,
+    // 2): then a matrix of millimetres is as good as one of light years.
     Mat4 scaled(1);
     Vec3 factor(1);
     for (int r = 0; r < 3; ++r) {
@@ -93,17 +93,17 @@ std::optional<Mat4> inverse(const Mat4& m) {
     Mat4 rough(1);
     // 04.4  Put the inverse of the upper left 3×3 of `scaled` into that of `rough`, by Gauss–Jordan
     // elimination: write the identity beside the matrix; column by column choose the pivot, the greatest
-    // |element| that is left in the column, and swap its row into place; divide that row by the pivot; subtract
-    // multiples of it from the other rows, so that the column becomes one of the identity. Where the pivot is 0
-    // the matrix is singular: return nothing.
+    // |element| that is left in the column, and swap its row into place; divide that row by the pivot;
+    // subtract multiples of it from the other rows, so that the column becomes one of the identity. Where the
+    // pivot is 0 the matrix is singular: return nothing.
     return todo("04.4");
 
     const std::optional<Mat4> fine = refined(scaled, rough);
     if (!fine) return std::nullopt;
     Mat4 result(1);
-    // 04.4  `fine` is right to the last bits, for `scaled`. The columns of the result are its columns,
-    // each times the `factor` of the row with the same number. Then its last column: a translation by t is
-    // undone by −L⁻¹·t, with t = m[3].
+    // 04.4  `fine` is right to the last bits, for `scaled`. The columns of the result are its
+    // columns, each times the `factor` of the row with the same number. Then its last column: a translation
+    // by t is undone by −L⁻¹·t, with t = m[3].
     return todo("04.4");
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 3; ++r)
@@ -144,8 +144,9 @@ Surface to_world(const Transform& transform, const Surface& local) {
     world.point = transform_point(m, local.point);
     world.normal = unit_vector(transform_normal(back, local.normal));
     world.shading_normal = unit_vector(transform_normal(back, local.shading_normal));
-    // Given; chapter 6 needs it. A ray that starts here goes back through the inverse. Where does it arrive? Beside
-    // the local point by what can be seen now, and by the rounding of this way back and of that one, gamma(4) each.
+    // Given; chapter 6 needs it. A ray that starts here goes back through the inverse. Where does it arrive?
+    // Beside the local point by what can be seen now, and by the rounding of this way back and of that one,
+    // gamma(4) each.
     const Vec3 way_back = abs(transform_point(back, world.point) - local.point) +
                           gamma(8) * (magnitude(back, abs(world.point)) + abs(Vec3(back[3])));
     // All that is wrong locally is wrong in the world by |M| as much; the way here was rounded too.

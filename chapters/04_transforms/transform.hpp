@@ -28,11 +28,11 @@ Mat4 matrix(const TransformStep& step);
 /// times its own step's; the last step written acts first on a point. Parents stand before children.
 std::vector<Mat4> compose(std::span<const TransformNode> nodes);
 
-/// [04.4] Inverse of an affine matrix by elimination with pivoting (rows scaled first), its last bits set right
-/// by Newton's steps (Schulz 1933): |MM⁻¹ − I| and |M⁻¹M − I| are at most 8u·|M||M⁻¹| and 8u·|M⁻¹||M|, element by
-/// element. Nothing if the matrix is singular to working precision (its rows in units of their greatest element),
-/// or if a number of it or of its inverse is not finite. In another unit of length, a power of two, the inverse
-/// has the same digits.
+/// [04.4] Inverse of an affine matrix by elimination with pivoting (rows scaled first), its last bits set
+/// right by Newton's steps (Schulz 1933): |MM⁻¹ − I| and |M⁻¹M − I| are at most 8u·|M||M⁻¹| and 8u·|M⁻¹||M|,
+/// element by element. Nothing if the matrix is singular to working precision (its rows in units of their
+/// greatest element), or if a number of it or of its inverse is not finite. In another unit of length, a
+/// power of two, the inverse has the same digits.
 std::optional<Mat4> inverse(const Mat4& m);
 
 /// [04.5] M·(p, 1): points feel the translation.
@@ -49,8 +49,8 @@ Vec3 transform_normal(const Mat4& inverse, const Vec3& n);
 /// means the same point in both spaces.
 Ray to_local(const Transform& transform, const Ray& ray);
 
-/// A surface from the local space of `transform` to world space: point and unit normals, and an error bound that
-/// also covers the way back, which the next ray takes. Given.
+/// A surface from the local space of `transform` to world space: point and unit normals, and an error bound
+/// that also covers the way back, which the next ray takes. Given.
 Surface to_world(const Transform& transform, const Surface& local);
 
 }  // namespace rt

@@ -5,6 +5,7 @@
 #include "common/render/scan_convert.hpp"
 #include "common/render/shade.hpp"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -81,7 +82,11 @@ RenderResult render(const World& world, const RenderOptions& options) {
     RenderResult result;
     const auto start = std::chrono::steady_clock::now();
     const double cpu_start = cpu_clock();
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    const int threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+    // The control lets there be more threads than cores, the arena makes use of them.
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(threads));
+    tbb::task_arena arena(threads);
     arena.execute([&] {
         result.image = world.integrator == Integrator::Rasterize ? rasterize(world)
                                                                  : trace_tiles(world, options, result.rays);

@@ -51,7 +51,9 @@ Svg rotation_figure() {
     const Vec2 o(210, 260), up(0, -1);
     const Real height = 130, reach = 150, flat = 0.32;
     const Vec2 center = o + height * up;
-    const auto at = [&](Real angle) { return center + reach * Vec2(std::cos(angle), -flat * std::sin(angle)); };
+    const auto at = [&](Real angle) {
+        return center + reach * Vec2(std::cos(angle), -flat * std::sin(angle));
+    };
     std::vector<Vec2> ring;
     for (int i = 0; i <= 72; ++i) ring.push_back(at(2 * pi * i / 72));
     polygon(svg, ring, {.stroke = svg_color::grey, .width = 1, .fill = "#eef3f7"});
@@ -65,8 +67,7 @@ Svg rotation_figure() {
     arrow(svg, o, at(to), stroke(svg_color::red, 2.5), 10);
     line(svg, center, at(to), {.stroke = svg_color::red, .width = 1.2, .dash = "4 4"});
     std::vector<Vec2> way;
-    for (int i = 0; i <= 20; ++i)
-        way.push_back(center + 0.5 * (at(from + (to - from) * i / 20) - center));
+    for (int i = 0; i <= 20; ++i) way.push_back(center + 0.5 * (at(from + (to - from) * i / 20) - center));
     polyline(svg, way, stroke(svg_color::grey, 1.5));
     text(svg, o + Vec2(8, -30), "k", italic);
     text(svg, center + Vec2(6, 62), "(k·v) k", colored("#00795a"));
@@ -91,7 +92,8 @@ Svg rotation_figure() {
     text(svg, {c.x, 24}, "seen against k", {.size = 15, .anchor = "middle", .bold = true});
     text(svg, {c.x + 34, c.y + 22}, "cos", middle);
     text(svg, {foot.x + 8, c.y - 36}, "sin", {.size = 14});
-    text(svg, {c.x + 76, c.y + 42}, "v − (k·v) k", {.size = 14, .color = "#a06c00", .anchor = "middle", .italic = true});
+    text(svg, {c.x + 76, c.y + 42}, "v − (k·v) k",
+         {.size = 14, .color = "#a06c00", .anchor = "middle", .italic = true});
     text(svg, flat_at(pi / 2) + Vec2(-46, -4), "k × v", {.size = 14, .color = "#a8598a", .italic = true});
     text(svg, {560, 300}, "turned = cos · orange + sin · purple", middle);
     return svg;
@@ -101,13 +103,14 @@ Svg rotation_figure() {
 
 Svg stack_figure() {
     Svg svg{.width = 700, .height = 300, .body = {}};
-    const char* lines[] = {"translate 0 2 0",  "sphere ...",      "pushTransform",  "  rotate 0 0 1 30",
-                           "  sphere ...",     "  translate 1 0 0", "  sphere ...",  "popTransform",
-                           "scale 2 1 1",      "sphere ..."};
+    const char* lines[] = {"translate 0 2 0", "sphere ...",        "pushTransform", "  rotate 0 0 1 30",
+                           "  sphere ...",    "  translate 1 0 0", "  sphere ...",  "popTransform",
+                           "scale 2 1 1",     "sphere ..."};
     const char* nodes[] = {"T", "T", "", "TR", "TR", "TRM", "TRM", "", "TS", "TS"};
     for (int i = 0; i < 10; ++i) {
         const Real y = 34 + 26 * i;
-        const bool is_step = std::string_view(lines[i]).find("sphere") == std::string_view::npos && nodes[i][0] != 0;
+        const bool is_step =
+            std::string_view(lines[i]).find("sphere") == std::string_view::npos && nodes[i][0] != 0;
         // Leading blanks are drawn as space.
         const Real indent = lines[i][0] == ' ' ? 22 : 0;
         text(svg, {30 + indent, y}, std::string_view(lines[i]).substr(lines[i][0] == ' ' ? 2 : 0),
@@ -136,7 +139,8 @@ Svg stack_figure() {
         if (node.parent < 0)
             text(svg, node.at + Vec2(0, 5), node.step, {.size = 16, .anchor = "middle", .italic = true});
         else
-            text(svg, node.at + Vec2(0, 38), node.step, {.size = 13, .color = svg_color::blue, .anchor = "middle"});
+            text(svg, node.at + Vec2(0, 38), node.step,
+                 {.size = 13, .color = svg_color::blue, .anchor = "middle"});
         text(svg, node.at + Vec2(0, -28), node.product, {.size = 15, .anchor = "middle", .italic = true});
     }
     text(svg, {480, 285}, "a push keeps a node, a pop goes back to it", middle);
@@ -145,7 +149,8 @@ Svg stack_figure() {
 
 // --------------------------------------------------------------------------------------------- normals
 
-/// A roof and its normal, stretched along x: M·n leans with the roof, the inverse transpose stays upright on it.
+/// A roof and its normal, stretched along x: M·n leans with the roof, the inverse transpose stays upright on
+/// it.
 Svg normals_figure() {
     Svg svg{.width = 700, .height = 270, .body = {}};
     const auto panel = [&](Real x, const char* title, Real stretch, const char* below) {
@@ -170,7 +175,8 @@ Svg normals_figure() {
 
     const Vec2 along = glm::normalize(Vec2(wider * tangent.x, tangent.y));
     at = panel(325, "n moved as v is", wider, "M n: too flat");
-    arrow(svg, at, at + 70.0 * glm::normalize(Vec2(wider * normal.x, normal.y)), stroke(svg_color::red, 2.5), 10);
+    arrow(svg, at, at + 70.0 * glm::normalize(Vec2(wider * normal.x, normal.y)), stroke(svg_color::red, 2.5),
+          10);
     arrow(svg, at, at + 45.0 * along, stroke(svg_color::blue, 2.5), 10);
     text(svg, at + Vec2(46, -32), "M n", colored(svg_color::red));
     text(svg, at + Vec2(40, 24), "M v", colored(svg_color::blue));
@@ -234,8 +240,10 @@ std::vector<Ellipsoid> still_life() {
         const Mat4 m = translation(at) * rotation(axis, radians(degrees)) * scaling(by);
         return Ellipsoid{{m, inverse(m).value_or(Mat4(1))}};
     };
-    return {make({-1.2, 0.2, 0}, {0, 0, 1}, 35, {1.5, 0.45, 0.6}), make({0.7, -0.2, -2}, {0, 0, 1}, -30, {1.7, 0.9, 1.4}),
-            make({0.2, 0.7, 0.8}, {0, 0, 1}, 10, {0.9, 0.25, 0.25}), make({1.5, -0.75, 1}, {1, 1, 0}, 70, {0.3, 0.7, 1})};
+    return {make({-1.2, 0.2, 0}, {0, 0, 1}, 35, {1.5, 0.45, 0.6}),
+            make({0.7, -0.2, -2}, {0, 0, 1}, -30, {1.7, 0.9, 1.4}),
+            make({0.2, 0.7, 0.8}, {0, 0, 1}, 10, {0.9, 0.25, 0.25}),
+            make({1.5, -0.75, 1}, {1, 1, 0}, 70, {0.3, 0.7, 1})};
 }
 
 enum class Fault { None, NormalsByMatrix, Renormalised };
@@ -250,8 +258,9 @@ Vec3 look(const std::vector<Ellipsoid>& shapes, const Ray& ray, Fault fault) {
         if (!hit || hit->t >= nearest) continue;
         nearest = hit->t;
         const Surface surface = surface_at(Sphere{Vec3(0), 1}, local, *hit);
-        Vec3 n = fault == Fault::NormalsByMatrix ? naive::transform_normal(shape.transform.to_world, surface.normal)
-                                                 : transform_normal(shape.transform.to_local, surface.normal);
+        Vec3 n = fault == Fault::NormalsByMatrix
+                     ? naive::transform_normal(shape.transform.to_world, surface.normal)
+                     : transform_normal(shape.transform.to_local, surface.normal);
         n = normalize(n);
         color = 0.5 * ((dot(n, ray.direction) > 0 ? -n : n) + 1.0);
     }
@@ -314,17 +323,20 @@ std::string families() {
         const std::vector<Mat4> cases = family.make(count, 4);
         std::vector<std::optional<Mat4>> naive, stable;
         for (const Mat4& m : cases) naive.push_back(naive::inverse(m)), stable.push_back(inverse(m));
-        csv += fmt::format("inverse,\"{}\",{},{},{}\n", family.name, count, stability::judge(cases, naive).mismatches,
+        csv += fmt::format("inverse,\"{}\",{},{},{}\n", family.name, count,
+                           stability::judge(cases, naive).mismatches,
                            stability::judge(cases, stable).mismatches);
     }
     for (const stability::EllipsoidFamily& family : stability::ellipsoid_families()) {
         const std::vector<stability::EllipsoidCase> cases = family.make(count, 4);
         std::vector<std::optional<Hit>> naive, stable;
         for (const auto& [ellipsoid, ray] : cases) {
-            naive.push_back(naive::intersect(Sphere{Vec3(0), 1}, naive::to_local(ellipsoid.transform, ray), {}));
+            naive.push_back(
+                naive::intersect(Sphere{Vec3(0), 1}, naive::to_local(ellipsoid.transform, ray), {}));
             stable.push_back(intersect(ellipsoid, ray, {}));
         }
-        csv += fmt::format("hit,\"{}\",{},{},{}\n", family.name, count, stability::judge(cases, naive).mismatches,
+        csv += fmt::format("hit,\"{}\",{},{},{}\n", family.name, count,
+                           stability::judge(cases, naive).mismatches,
                            stability::judge(cases, stable).mismatches);
     }
     return csv;
@@ -350,7 +362,8 @@ Scene without_instances(Scene scene) {
 }
 
 std::string forest() {
-    std::string csv = "trees,triangles,megabytes (instances),megabytes (baked),seconds (instances),seconds (baked)\n";
+    std::string csv =
+        "trees,triangles,megabytes (instances),megabytes (baked),seconds (instances),seconds (baked)\n";
     for (const std::size_t trees : {2u, 8u, 32u, 128u, 1024u}) {
         const Scene scene = forest_scene(trees);
         const World world = compile(scene);
@@ -361,10 +374,12 @@ std::string forest() {
             const World baked = compile(own);
             baked_bytes = fmt::format("{:.2f}", static_cast<double>(explain(own, baked).bytes) / 1e6);
             if (trees <= 32)
-                baked_seconds = fmt::format("{:.2f}", render(baked, {.threads = 1, .progress = {}}).cpu_seconds);
+                baked_seconds =
+                    fmt::format("{:.2f}", render(baked, {.threads = 1, .progress = {}}).cpu_seconds);
         }
-        csv += fmt::format("{},{},{:.2f},{},{:.2f},{}\n", trees, trees * world.meshes.front().triangles.shapes.size(),
-                           static_cast<double>(explain(scene, world).bytes) / 1e6, baked_bytes, seconds, baked_seconds);
+        csv += fmt::format(
+            "{},{},{:.2f},{},{:.2f},{}\n", trees, trees * world.meshes.front().triangles.shapes.size(),
+            static_cast<double>(explain(scene, world).bytes) / 1e6, baked_bytes, seconds, baked_seconds);
     }
     return csv;
 }
@@ -388,7 +403,8 @@ int main(int argc, char** argv) {
         write_file(out / "measured_forest.csv", forest());
         for (const std::string name : {"ellipsoids", "stack", "axes", "instanced", "forest"}) {
             Scene scene = parse_scene(fs::path(__FILE__).parent_path() / (name + ".scene"));
-            if (name != "forest") scene.width = 240, scene.height = 180;
+            scene.width = 240;
+            scene.height = 180;
             write_image(out / (name + ".png"), render(compile(scene)).image, scene.encoding);
         }
     } catch (const InputError& error) {

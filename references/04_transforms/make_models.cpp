@@ -25,7 +25,8 @@ std::string number(Real x, int decimals) {
 }
 
 std::string line(std::string_view word, const Vec3& v, int decimals) {
-    return fmt::format("{} {} {} {}\n", word, number(v.x, decimals), number(v.y, decimals), number(v.z, decimals));
+    return fmt::format("{} {} {} {}\n", word, number(v.x, decimals), number(v.y, decimals),
+                       number(v.z, decimals));
 }
 
 // ---------------------------------------------------------------------------------------------- meshes
@@ -39,18 +40,19 @@ std::string to_obj(std::string_view title, int along, int around, bool ring,
     for (int i = 0; i < rows; ++i)
         for (int j = 0; j < around; ++j) {
             const Real a = static_cast<Real>(i) / along, b = static_cast<Real>(j) / around, h = 1e-4;
-            const Vec3 n = cross(surface(a + h, b) - surface(a - h, b), surface(a, b + h) - surface(a, b - h));
+            const Vec3 n =
+                cross(surface(a + h, b) - surface(a - h, b), surface(a, b + h) - surface(a, b - h));
             positions += line("v", surface(a, b), 4);
             normals += line("vn", normalize(n), 3);
         }
     for (int i = 0; i < along; ++i)
         for (int j = 0; j < around; ++j) {
             const auto at = [&](int di, int dj) { return (i + di) % rows * around + (j + dj) % around + 1; };
-            faces += fmt::format("f {0}//{0} {1}//{1} {2}//{2}\nf {0}//{0} {2}//{2} {3}//{3}\n", at(0, 0), at(1, 0),
-                                 at(1, 1), at(0, 1));
+            faces += fmt::format("f {0}//{0} {1}//{1} {2}//{2}\nf {0}//{0} {2}//{2} {3}//{3}\n", at(0, 0),
+                                 at(1, 0), at(1, 1), at(0, 1));
         }
-    return fmt::format("# {}, {} triangles, made by make_models\n", title, 2 * along * around) + positions + normals +
-           faces;
+    return fmt::format("# {}, {} triangles, made by make_models\n", title, 2 * along * around) + positions +
+           normals + faces;
 }
 
 /// A conifer, 10 high, on the plane y = 0: seven skirts of branches over a trunk.
@@ -95,7 +97,8 @@ std::string ellipsoids() {
     const int petals = 230;
     for (int i = 0; i < petals; ++i) {
         const Real from_heart = (i + 0.5) / petals;
-        const Real polar = std::acos(1 - 1.75 * from_heart) * 180 / pi, size = 0.3 + 0.3 * std::sqrt(from_heart);
+        const Real polar = std::acos(1 - 1.75 * from_heart) * 180 / pi,
+                   size = 0.3 + 0.3 * std::sqrt(from_heart);
         scene += "rotate 0 1 0 137.508\npushTransform\n";
         scene += fmt::format("  rotate 0 0 1 {}\n  translate 0 1.3 0\n", number(-polar, 1));
         scene += fmt::format("  rotate 0 0 1 {}\n", number(62 - 40 * from_heart, 1));
@@ -108,7 +111,8 @@ std::string ellipsoids() {
 
 std::string forest() {
     std::string scene =
-        "# A forest: 1024 times the same tree of 10,000 triangles, in the memory of one and 1024 pairs of matrices.\n"
+        "# A forest: 1024 times the same tree of 10,000 triangles, in the memory of one and 1024 pairs of "
+        "matrices.\n"
         "# Near rows come first: what they hide need not be searched.\n"
         "# Written by make_models forest.scene; the tree is made by the build (make_models tree.obj).\n"
         "version 1\nsize 160 120\noutput forest.png\nencoding srgb\nintegrator flat\n"
@@ -125,10 +129,11 @@ std::string forest() {
         const Vec3 tint = (0.6 + 1.3 * scatter(7 * n + 4)) * near + scatter(7 * n + 5) * Vec3(0.03, 0.01, 0);
         const Vec3 color = (1 - air) * tint + air * far;
         scene += line("ambient", color, 3);
-        scene += fmt::format("pushTransform\n  translate {} 0 {}\n  rotate 0 1 0 {}\n  scale {} {} {}\n"
-                             "  mesh tree.obj\npopTransform\n",
-                             number(x, 2), number(z, 2), number(360 * scatter(7 * n + 6), 0), number(wide, 2),
-                             number(high, 2), number(wide, 2));
+        scene += fmt::format(
+            "pushTransform\n  translate {} 0 {}\n  rotate 0 1 0 {}\n  scale {} {} {}\n"
+            "  mesh tree.obj\npopTransform\n",
+            number(x, 2), number(z, 2), number(360 * scatter(7 * n + 6), 0), number(wide, 2), number(high, 2),
+            number(wide, 2));
     }
     return scene;
 }

@@ -1,6 +1,6 @@
 // Step 04.6: ellipsoids, and instances of a mesh.
-#include "chapters/03_triangles/triangle.hpp"
 #include "chapters/04_transforms/instance.hpp"
+#include "chapters/03_triangles/triangle.hpp"
 #include "chapters/04_transforms/transform.hpp"
 #include "common/math/error.hpp"
 #include "tests/04_transforms/show.hpp"
@@ -33,11 +33,12 @@ Mat4 some_map(Random& random) {
     Vec3 by(random.magnitude(-1, 1), random.magnitude(-1, 1), random.magnitude(-1, 1));
     if (random.index(2) == 0) by.x = -by.x;
     const Mat4 first = rotation(random.direction(), random.uniform(-4, 4));
-    return translation(5.0 * random.in_cube()) * rotation(random.direction(), random.uniform(-4, 4)) * scaling(by) *
-           first;
+    return translation(5.0 * random.in_cube()) * rotation(random.direction(), random.uniform(-4, 4)) *
+           scaling(by) * first;
 }
 
-/// A closed mesh around the origin: an octahedron with uneven corners, its faces counterclockwise from outside.
+/// A closed mesh around the origin: an octahedron with uneven corners, its faces counterclockwise from
+/// outside.
 SharedMesh some_mesh(Random& random) {
     SharedMesh mesh;
     Vec3 corners[6];
@@ -304,7 +305,8 @@ TEST_CASE("an instance is hit where the mesh baked into the world is, by exact a
         const std::optional<Hit> hit = closest_hit({&instance, 1}, {&mesh, 1}, ray, ahead);
         CHECK(any_hit({&instance, 1}, {&mesh, 1}, ray, ahead) == hit.has_value());
 
-        // What rounding, or moving the data by 4 ulp, does in local space, as tests/stability/transforms.hpp says.
+        // What rounding, or moving the data by 4 ulp, does in local space, as tests/stability/transforms.hpp
+        // says.
         const Ray local = to_local(instance.transform, ray);
         const auto off = [&](Real t) {
             Vec3 sum = abs(Vec3((*back)[3]));
@@ -349,7 +351,8 @@ TEST_CASE("an instance is hit where the mesh baked into the world is, by exact a
     CHECK(undecided < cases(5000) / 8);
 }
 
-TEST_CASE("the surface of an instance is that of the baked mesh, smooth or flat, reflected or not", "[04.6]") {
+TEST_CASE("the surface of an instance is that of the baked mesh, smooth or flat, reflected or not",
+          "[04.6]") {
     Random random(4605);
     int hits = 0;
     for (int i = 0; i < cases(2000); ++i) {

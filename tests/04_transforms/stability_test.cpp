@@ -58,8 +58,8 @@ TEST_CASE("a matrix times its inverse is the identity, on extreme cases, and a s
         const auto questions = family.make(how_many(50'000), seed);
         check(family.name,
               judge(questions, ask<std::optional<Mat4>>(questions, [](const Mat4& m) { return inverse(m); })),
-              judge(some(questions),
-                    ask<std::optional<Mat4>>(some(questions), [](const Mat4& m) { return naive::inverse(m); })));
+              judge(some(questions), ask<std::optional<Mat4>>(
+                                         some(questions), [](const Mat4& m) { return naive::inverse(m); })));
     }
 }
 
@@ -82,7 +82,8 @@ TEST_CASE("normals stay at right angles to the surface, on extreme cases", "[04.
 TEST_CASE("hits with ellipsoids are right on extreme cases", "[04.6][stability]") {
     const auto stable = [](const EllipsoidCase& q) { return intersect(q.ellipsoid, q.ray, Interval{}); };
     const auto naive = [](const EllipsoidCase& q) {
-        return naive::intersect(Sphere{Vec3(0), 1}, naive::to_local(q.ellipsoid.transform, q.ray), Interval{});
+        return naive::intersect(Sphere{Vec3(0), 1}, naive::to_local(q.ellipsoid.transform, q.ray),
+                                Interval{});
     };
     for (const EllipsoidFamily& family : ellipsoid_families()) {
         const auto questions = family.make(how_many(50'000), seed + 2);

@@ -1,4 +1,5 @@
-// Steps 04.1 to 04.5: matrices, their stack and inverse, and what they do to points, vectors, normals and rays.
+// Steps 04.1 to 04.5: matrices, their stack and inverse, and what they do to points, vectors, normals and
+// rays.
 #include "chapters/04_transforms/transform.hpp"
 #include "common/math/error.hpp"
 #include "tests/04_transforms/show.hpp"
@@ -67,7 +68,8 @@ TEST_CASE("a factor may be negative or tiny", "[04.1]") {
 TEST_CASE("a translation moves points to the bit, and a scaling multiplies each coordinate", "[04.1]") {
     Random random(4101);
     for (int i = 0; i < cases(1000); ++i) {
-        const Vec3 p = random.magnitude(-9, 9) * random.in_cube(), by = random.magnitude(-9, 9) * random.in_cube();
+        const Vec3 p = random.magnitude(-9, 9) * random.in_cube(),
+                   by = random.magnitude(-9, 9) * random.in_cube();
         CAPTURE(show(p), show(by));
         CHECK(Vec3(translation(by) * Vec4(p, 1)) == p + by);
         CHECK(Vec3(translation(by) * Vec4(p, 0)) == p);
@@ -87,7 +89,8 @@ TEST_CASE("quarter turns go x to y, y to z, z to x, counterclockwise about each 
 }
 
 TEST_CASE("a third of a turn about the diagonal takes x to y, y to z and z to x", "[04.2]") {
-    check_matrix(rotation({1, 1, 1}, 2 * pi / 3), rows({0, 0, 1, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}), few_roundings);
+    check_matrix(rotation({1, 1, 1}, 2 * pi / 3), rows({0, 0, 1, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}),
+                 few_roundings);
 }
 
 TEST_CASE("half a turn about (1, 1, 0) exchanges x and y and turns z round", "[04.2]") {
@@ -194,7 +197,8 @@ TEST_CASE("every node is its parent's matrix times its own step", "[04.3]") {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const int parent = nodes[i].parent;
         CAPTURE(i, parent);
-        check_matrix(m[i], (parent < 0 ? identity : m[static_cast<std::size_t>(parent)]) * matrix(nodes[i].step));
+        check_matrix(m[i],
+                     (parent < 0 ? identity : m[static_cast<std::size_t>(parent)]) * matrix(nodes[i].step));
     }
 }
 
@@ -222,7 +226,9 @@ Mat4 inverted(const Mat4& m) {
 
 }  // namespace
 
-TEST_CASE("the inverse of the identity is the identity", "[04.4]") { check_matrix(inverted(identity), identity); }
+TEST_CASE("the inverse of the identity is the identity", "[04.4]") {
+    check_matrix(inverted(identity), identity);
+}
 
 TEST_CASE("the inverse of a scaling divides", "[04.4]") {
     check_matrix(inverted(scaling({2, -4, 0.5})), scaling({0.5, -0.25, 2}));
@@ -268,10 +274,10 @@ TEST_CASE("a singular matrix has no inverse", "[04.4]") {
         CHECK_FALSE(inverse(m).has_value());
     };
     is_singular(rows(zero, zero, zero));
-    is_singular(scaling({1, 0, 1}));                                     // flattened
-    is_singular(rows({1, 2, 3, 0}, {2, 4, 6, 0}, {0, 0, 1, 0}));         // two rows along a line
-    is_singular(rows({1, 2, 3, 0}, {4, 5, 6, 0}, {7, 8, 9, 0}));         // three rows in a plane
-    is_singular(rows({.1, .2, .3, 0}, {.1, .2, .3, 0}, {1, 0, 0, 0}));   // rounded, but equal
+    is_singular(scaling({1, 0, 1}));                                        // flattened
+    is_singular(rows({1, 2, 3, 0}, {2, 4, 6, 0}, {0, 0, 1, 0}));            // two rows along a line
+    is_singular(rows({1, 2, 3, 0}, {4, 5, 6, 0}, {7, 8, 9, 0}));            // three rows in a plane
+    is_singular(rows({.1, .2, .3, 0}, {.1, .2, .3, 0}, {1, 0, 0, 0}));      // rounded, but equal
     is_singular(rows({1e9, 2e9, 0, 5}, {1e-9, 2e-9, 0, 5}, {0, 0, 1, 5}));  // one line in two units
 }
 
@@ -388,7 +394,8 @@ TEST_CASE("t means the same point in both spaces", "[04.5]") {
         const Ray local = to_local({m, *back}, world);
         const Real t = random.uniform(0, 10);
         const Vec3 there = point_at(world, t), again = transform_point(m, point_at(local, t));
-        INFO(show(m) << "\nt " << t << "\nin the world " << show(there) << ", from local space " << show(again));
+        INFO(show(m) << "\nt " << t << "\nin the world " << show(there) << ", from local space "
+                     << show(again));
         const Real size = 9 * difference(m, Mat4(0)) * difference(*back, Mat4(0)) *
                           (2 + length(world.origin) + t * length(world.direction));
         CHECK(length(there - again) <= gamma(16) * size);

@@ -1,4 +1,5 @@
-// From a scene to a world: what is kept, baked, shared and left out, and that pictures depend on nothing else.
+// From a scene to a world: what is kept, baked, shared and left out, and that pictures depend on nothing
+// else.
 #include "common/render/compile.hpp"
 #include "chapters/04_transforms/transform.hpp"
 #include "common/image/file.hpp"
@@ -99,7 +100,8 @@ TEST_CASE("the triangles of a mesh that is shown once take their transform into 
 
 TEST_CASE("so do triangles, polygons and planes of the file", "[compile]") {
     const World world = world_of(
-        "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nscale 2 3 1\ntri 0 1 2\npolygon 0 1 2\nplane 0 1 0  1 1 0\n");
+        "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nscale 2 3 1\ntri 0 1 2\npolygon 0 1 2\nplane 0 1 0  1 1 "
+        "0\n");
     CHECK_FALSE(world.needs.transforms);
     CHECK(group_of<Triangles>(world).shapes[0].c == Vec3(0, 3, 0));
     CHECK(group_of<Polygons>(world).shapes[0].vertices[1] == Vec3(2, 0, 0));
@@ -118,7 +120,8 @@ TEST_CASE("normals of smooth triangles are baked by the inverse transpose", "[co
 }
 
 TEST_CASE("a sphere under turns, moves and one scale for all axes is a sphere", "[compile]") {
-    const World world = world_of("translate 1 2 3\nrotate 1 2 3 40\nscale 2 2 2\nscale -1 1 1\nsphere 0 0 0 1.5\n");
+    const World world =
+        world_of("translate 1 2 3\nrotate 1 2 3 40\nscale 2 2 2\nscale -1 1 1\nsphere 0 0 0 1.5\n");
     CHECK_FALSE(world.needs.transforms);
     const Sphere& sphere = group_of<Spheres>(world).shapes[0];
     CHECK(sphere.radius == 3);
@@ -143,9 +146,11 @@ TEST_CASE("a sphere under different scales keeps its matrices: the unit sphere's
 TEST_CASE("a reflection keeps working for every kind of object", "[compile]") {
     // Seen in the mirror x → −x, each picture is the other way round, and its red of normals too.
     const std::string objects =
-        "vertex -1 -1 0\nvertex 1 -1 0.5\nvertex -.2 1 0\nvertexnormal -1 -1 -1 -1 0 1\nvertexnormal 1 -1 -1 1 0 1\n"
+        "vertex -1 -1 0\nvertex 1 -1 0.5\nvertex -.2 1 0\nvertexnormal -1 -1 -1 -1 0 1\nvertexnormal 1 -1 -1 "
+        "1 0 1\n"
         "vertexnormal 0 1 -1 0 1 1\n"
-        "tri 0 1 2\ntrinormal 0 1 2\nplane 0 -1.2 0 .2 1 0\nsphere .7 .5 .3 .4\npushTransform\nscale 1 .4 .7\n"
+        "tri 0 1 2\ntrinormal 0 1 2\nplane 0 -1.2 0 .2 1 0\nsphere .7 .5 .3 .4\npushTransform\nscale 1 .4 "
+        ".7\n"
         "sphere -.8 .3 .4 .5\npopTransform\npushTransform\ntranslate 1 1 -1\nrotate 1 1 0 30\n" +
         square_mesh(true) + "popTransform\ntranslate -1 .4 -2\nscale .5 1 1\n" + square_mesh(true);
     const Image plain = render(world_of("integrator normals\n" + objects)).image;
@@ -183,7 +188,8 @@ TEST_CASE("the sphere around a shared mesh holds all its corners", "[compile]") 
     const World world = world_of(mesh + mesh);
     const SharedMesh& shared = world.meshes.at(0);
     for (const Triangle& t : shared.triangles.shapes)
-        for (const Vec3& corner : {t.a, t.b, t.c}) CHECK(length(corner - shared.bound.center) < shared.bound.radius);
+        for (const Vec3& corner : {t.a, t.b, t.c})
+            CHECK(length(corner - shared.bound.center) < shared.bound.radius);
     CHECK(shared.bound.radius < 1.001 * std::sqrt(2.0));
 }
 
@@ -195,7 +201,8 @@ TEST_CASE("a forest of 1024 trees needs the memory of one tree and of the matric
     CHECK(world.meshes[0].triangles.shapes.size() == triangles);
     CHECK(group_of<Instances>(world).shapes.size() >= 1000);
     // Where each tree went, and its own colour, is all there is beside its two matrices.
-    const std::size_t a_tree = sizeof(Instance) + sizeof(std::uint32_t) + sizeof(Primitive) + sizeof(Material);
+    const std::size_t a_tree =
+        sizeof(Instance) + sizeof(std::uint32_t) + sizeof(Primitive) + sizeof(Material);
     const std::size_t bytes = explain(scene, world).bytes;
     CAPTURE(bytes);
     CHECK(bytes <= triangles * sizeof(Triangle) + (trees + 1) * a_tree);
@@ -207,7 +214,8 @@ TEST_CASE("an instance is seen where the same mesh, baked, is seen", "[compile]"
     // The same file by another name is another mesh, so it is shown once and baked.
     const std::string mesh = square_mesh(true);
     fs::copy_file(fs::path(test::scratch_directory()) / "square_smooth.obj",
-                  fs::path(test::scratch_directory()) / "square_again.obj", fs::copy_options::overwrite_existing);
+                  fs::path(test::scratch_directory()) / "square_again.obj",
+                  fs::copy_options::overwrite_existing);
     const std::string place = "integrator normals\nrotate 1 2 0 35\nscale -1.5 1 .5\n";
     const World baked = world_of(place + "mesh square_again.obj\n");
     const World shared = world_of(place + mesh + "translate 0 0 -1000\n" + mesh);
@@ -216,7 +224,8 @@ TEST_CASE("an instance is seen where the same mesh, baked, is seen", "[compile]"
     const Image a = render(baked).image, b = render(shared).image;
     int different = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        // Interpolating normals before or after a map that stretches is not the same: silhouettes are compared.
+        // Interpolating normals before or after a map that stretches is not the same: silhouettes are
+        // compared.
         different += (a.pixels[i] == Vec3(0)) != (b.pixels[i] == Vec3(0));
     CHECK(different == 0);
 }
@@ -226,13 +235,15 @@ TEST_CASE("an instance is seen where the same mesh, baked, is seen", "[compile]"
 TEST_CASE("a singular transform is an error with the place of the step that made it so", "[compile]") {
     // Flattened to a 1e-20th along a slanted line: of the digits that remain of its thickness, none is right.
     const std::string flat = "rotate 0 0 1 45\nscale 1 1e-20 1\nrotate 0 0 1 30\nsphere 0 0 0 1\n";
-    CHECK(refusal(flat) == "small.scene:6:1: the transform in force after this step is singular: it has no inverse");
+    CHECK(refusal(flat) ==
+          "small.scene:6:1: the transform in force after this step is singular: it has no inverse");
     CHECK(refusal("scale 1e-200 1e-200 1e-200\nscale 1e-200 1e-200 1e-200\n" + square_mesh()) ==
           "small.scene:5:1: the transform in force after this step is singular: it has no inverse");
     CHECK(refusal("scale 1e-20 1e-20 1e-20\nsphere 0 0 0 1\n").empty());
     CHECK(refusal("rotate 0 0 1 45\nscale 1 1e-15 1e15\nsphere 0 0 0 1\n").empty());
     // Nothing stands under it.
-    CHECK(refusal("pushTransform\n" + flat.substr(0, flat.find("sphere")) + "popTransform\nsphere 0 0 0 1\n").empty());
+    CHECK(refusal("pushTransform\n" + flat.substr(0, flat.find("sphere")) + "popTransform\nsphere 0 0 0 1\n")
+              .empty());
 }
 
 TEST_CASE("scan conversion refuses what is not made of triangles, with its place", "[compile]") {
@@ -265,15 +276,18 @@ TEST_CASE("black lights are left out, and all lights where nothing reflects them
 }
 
 TEST_CASE("directions to lights are unit vectors, however long they were written", "[compile]") {
-    const World world = world_of("directional 0 3e200 4e200  1 1 1\ndirectional 0 3e-200 4e-200  1 1 1\n"
-                                 "diffuse 1 1 1\nsphere 0 0 0 1\n");
+    const World world = world_of(
+        "directional 0 3e200 4e200  1 1 1\ndirectional 0 3e-200 4e-200  1 1 1\n"
+        "diffuse 1 1 1\nsphere 0 0 0 1\n");
     REQUIRE(world.directional_lights.size() == 2);
     for (const DirectionalLight& light : world.directional_lights)
         CHECK(length(light.direction - Vec3(0, .6, .8)) <= gamma(8));
 }
 
 TEST_CASE("a world needs only what its materials ask for", "[compile]") {
-    const auto needs = [](const std::string& commands) { return world_of(lit + commands + "sphere 0 0 0 1\n").needs; };
+    const auto needs = [](const std::string& commands) {
+        return world_of(lit + commands + "sphere 0 0 0 1\n").needs;
+    };
     CHECK_FALSE(needs("").reflection);
     CHECK_FALSE(needs("").highlights);
     CHECK(needs("specular .5 .5 .5\n").reflection);
@@ -318,7 +332,8 @@ TEST_CASE("only kinds that occur have a group, and a picture of directions has n
 }
 
 TEST_CASE("a checker is two materials, and a material without one is one", "[compile]") {
-    const World world = world_of("ambient .5 .5 .5\nsphere 0 0 0 1\nchecker 1 1 1 .5 .5 .5 2\nplane 0 -1 0 0 1 0\n");
+    const World world =
+        world_of("ambient .5 .5 .5\nsphere 0 0 0 1\nchecker 1 1 1 .5 .5 .5 2\nplane 0 -1 0 0 1 0\n");
     REQUIRE(world.patterns.size() == world.materials.size());
     const std::uint32_t of_plane = world.primitives[1].material;
     CHECK(world.patterns[of_plane].size == 2);
@@ -341,7 +356,8 @@ TEST_CASE("explain says what was kept and what was left out, and why", "[explain
     CHECK(says(moved.left_out, "matrices", "every transform is baked into its shape"));
     CHECK(moved.chapters == std::vector<std::string>{"01", "02", "04"});
 
-    const Explanation stretched = explained("integrator normals\nscale 2 1 1\nsphere 0 0 0 1\nsphere 0 1 0 1\n");
+    const Explanation stretched =
+        explained("integrator normals\nscale 2 1 1\nsphere 0 0 0 1\nsphere 0 1 0 1\n");
     CHECK(says(stretched.kept, "2 ellipsoids with their matrices", "in one array"));
     CHECK(says(stretched.kept, "matrices", "some shapes cannot take their transform into their own numbers"));
 
@@ -368,7 +384,8 @@ TEST_CASE("explain names the chapters whose code a picture runs", "[explain]") {
     using Names = std::vector<std::string>;
     CHECK(explained(lit + "shadows off\nsphere 0 0 0 1\n").chapters == Names{"01", "02", "05"});
     CHECK(explained(lit + "sphere 0 0 0 1\n").chapters == Names{"01", "02", "05", "06"});
-    CHECK(explained(lit + "specular .5 .5 .5\nsphere 0 0 0 1\n").chapters == Names{"01", "02", "05", "06", "07"});
+    CHECK(explained(lit + "specular .5 .5 .5\nsphere 0 0 0 1\n").chapters ==
+          Names{"01", "02", "05", "06", "07"});
     CHECK(explained("integrator directions\nsphere 0 0 0 1\n").chapters == Names{"01"});
 }
 
@@ -421,7 +438,9 @@ std::vector<Scene> reference_scenes() {
     std::vector<Scene> scenes;
     for (const fs::path& file : files) {
         Scene scene = parse_scene(file);
-        const bool large = scene.objects.size() > 500 || std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) { return m.triangles.size() > 9999; });
+        const bool large = scene.objects.size() > 500 ||
+                           std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                                       [](const Mesh& m) { return m.triangles.size() > 9999; });
         scene.width = large ? 12 : 32;
         scene.height = large ? 9 : 24;
         scenes.push_back(std::move(scene));
@@ -466,7 +485,8 @@ TEST_CASE("every scene of the references has the same bits at 1, 2 and 7 threads
     }
 }
 
-TEST_CASE("every scene of the references has the same bits in other units of length", "[compile][references]") {
+TEST_CASE("every scene of the references has the same bits in other units of length",
+          "[compile][references]") {
     for (const Scene& scene : reference_scenes()) {
         const Image plain = render(compile(scene)).image;
         for (const int k : {-40, 40}) {
@@ -478,9 +498,10 @@ TEST_CASE("every scene of the references has the same bits in other units of len
 
 TEST_CASE("a scale around the whole scene changes no bit of the picture", "[compile]") {
     const std::string mesh = square_mesh(true);
-    const std::string objects = "pushTransform\nrotate 1 2 3 40\nscale 1.3 .4 .7\nsphere .3 -.2 .1 .9\npopTransform\n"
-                                "sphere -1 .5 0 .4\npushTransform\ntranslate 1 1 -1\nrotate 1 1 0 30\n" +
-                                mesh + "popTransform\ntranslate -1 .4 -2\nscale .5 1 1\n" + mesh;
+    const std::string objects =
+        "pushTransform\nrotate 1 2 3 40\nscale 1.3 .4 .7\nsphere .3 -.2 .1 .9\npopTransform\n"
+        "sphere -1 .5 0 .4\npushTransform\ntranslate 1 1 -1\nrotate 1 1 0 30\n" +
+        mesh + "popTransform\ntranslate -1 .4 -2\nscale .5 1 1\n" + mesh;
     const Image plain = render(world_of("integrator normals\n" + objects)).image;
     for (const int k : {-40, -3, 7, 40}) {
         const std::string unit = fmt::format("{:.17g}", std::ldexp(1.0, k));

@@ -106,17 +106,20 @@ SphereTruth judge_sphere(const Sphere& sphere, const Ray& ray, Real proposed0, R
 }
 
 SphereTruth judge_ellipsoid(const Mat4& to_world, const Ray& ray, Real proposed0, Real proposed1) {
-    // The determinant times the inverse needs no division: its rows are cross products of the columns. The unit
-    // sphere has the determinant for its radius then, and t is the same.
+    // The determinant times the inverse needs no division: its rows are cross products of the columns. The
+    // unit sphere has the determinant for its radius then, and t is the same.
     const auto column = [&](int c) { return Vec(Vec3(to_world[c])); };
     const Vec x = column(0), y = column(1), z = column(2);
     const Vec rows[3] = {cross(y, z), cross(z, x), cross(x, y)};
-    const auto to_local = [&](const Vec& v) { return Vec(dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)); };
+    const auto to_local = [&](const Vec& v) {
+        return Vec(dot(rows[0], v), dot(rows[1], v), dot(rows[2], v));
+    };
     const Exact determinant = dot(x, rows[0]);
     const Exact radius = CGAL::sign(determinant) < 0 ? -determinant : determinant;
-    SphereTruth truth = judge(to_local(Vec(ray.origin) - column(3)), to_local(Vec(ray.direction)),
-                              radius, proposed0, proposed1);
-    for (Real* length : {&truth.depth, &truth.distance0, &truth.distance1}) *length /= CGAL::to_double(radius);
+    SphereTruth truth = judge(to_local(Vec(ray.origin) - column(3)), to_local(Vec(ray.direction)), radius,
+                              proposed0, proposed1);
+    for (Real* length : {&truth.depth, &truth.distance0, &truth.distance1})
+        *length /= CGAL::to_double(radius);
     return truth;
 }
 

@@ -33,8 +33,8 @@ SphereTruth judge_sphere(const Sphere& sphere, const Ray& ray, Real proposed0, R
 
 /// The same for the line and the image of the unit sphere around the origin under the affine map `to_world`,
 /// whose inverse is not rounded either. `depth` and the distances are in the sphere's own space, where the
-/// radius is 1; `a` and `discriminant` are too large by the square of the map's determinant, which must not be
-/// zero.
+/// radius is 1; `a` and `discriminant` are too large by the square of the map's determinant, which must not
+/// be zero.
 SphereTruth judge_ellipsoid(const Mat4& to_world, const Ray& ray, Real proposed0, Real proposed1);
 
 /// Whether the ray (t ≥ 0) meets the ball, asked of CGAL's own predicate `do_intersect(Ray_3, Sphere_3)` over

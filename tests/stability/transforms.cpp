@@ -63,7 +63,8 @@ Vec3 factors(Random& random, Real exponent) {
 
 Mat4 sheared(Random& random, Real most) {
     Mat4 m(1);
-    const int from = static_cast<int>(random.index(3)), to = (from + 1 + static_cast<int>(random.index(2))) % 3;
+    const int from = static_cast<int>(random.index(3)),
+              to = (from + 1 + static_cast<int>(random.index(2))) % 3;
     m[from][to] = sign(random) * random.magnitude(0, std::log10(most));
     return m;
 }
@@ -132,7 +133,8 @@ std::vector<Mat4> any_elements(std::size_t count, std::uint64_t seed) {
 }
 
 std::vector<Mat4> chains(std::size_t count, std::uint64_t seed) {
-    // One chain of 1000 steps after the other; every link of a chain is a case. A chain that shrinks, one that grows.
+    // One chain of 1000 steps after the other; every link of a chain is a case. A chain that shrinks, one
+    // that grows.
     Random random(seed);
     std::vector<Mat4> cases;
     cases.reserve(count);
@@ -169,7 +171,9 @@ std::vector<Mat4> nearly_singular(std::size_t count, std::uint64_t seed) {
 
 std::vector<Mat4> singular(std::size_t count, std::uint64_t seed) {
     return many(count, seed, [](Random& random) {
-        const auto whole = [&] { return static_cast<Real>(static_cast<int>(random.index(2'000'001)) - 1'000'000); };
+        const auto whole = [&] {
+            return static_cast<Real>(static_cast<int>(random.index(2'000'001)) - 1'000'000);
+        };
         const auto small = [&] { return static_cast<Real>(static_cast<int>(random.index(2001)) - 1000); };
         // One vector, two or none, and whole multiples of them: rank 2, 1 or 0 without rounding. Then rows or
         // columns in other units.
@@ -294,8 +298,8 @@ void remember(Verdict& verdict, Real error, Write write) {
     verdict.worst_case = write();
 }
 
-/// 8u times κ, to first order and a little more; elements that κ says are exactly zero may be off by u as much as
-/// the others.
+/// 8u times κ, to first order and a little more; elements that κ says are exactly zero may be off by u as
+/// much as the others.
 Mat3 allowed(const Mat3& kappa) {
     Real greatest = 0;
     for (int c = 0; c < 3; ++c)
@@ -354,13 +358,15 @@ Verdict judge(std::span<const Mat4> cases, std::span<const std::optional<Mat4>> 
             continue;
         }
         const Vec3 t(m[3]);
-        Real error = std::max(worst_of(truth.right, allowed(kappa)), worst_of(truth.left, allowed(left_kappa)));
+        Real error =
+            std::max(worst_of(truth.right, allowed(kappa)), worst_of(truth.left, allowed(left_kappa)));
         const Vec3 allow_t = allowed(kappa) * abs(t);
         for (int r = 0; r < 3; ++r)
-            if (truth.translation[r] != 0) error = std::max(error, std::abs(truth.translation[r]) / allow_t[r]);
+            if (truth.translation[r] != 0)
+                error = std::max(error, std::abs(truth.translation[r]) / allow_t[r]);
         if (error > 1)
-            count_mismatch(verdict, literal(m) + "\n  M times its inverse is off by " + std::to_string(error) +
-                                        " of what is allowed");
+            count_mismatch(verdict, literal(m) + "\n  M times its inverse is off by " +
+                                        std::to_string(error) + " of what is allowed");
         else
             remember(verdict, error, [&] { return literal(m); });
     }
@@ -395,11 +401,13 @@ Verdict judge(std::span<const NormalCase> cases, std::span<const Vec3> answers) 
         const Real cosine = std::abs(oracle::judge_normal(m, answers[i], tangent)) / length(image);
         const Real error = std::max(cosine / (band * (kappa + 1)), std::abs(length(answers[i]) - 1) / band);
         const auto text = [&] {
-            return literal(m) + ", normal " + stability::literal(normal) + ", tangent " + stability::literal(tangent);
+            return literal(m) + ", normal " + stability::literal(normal) + ", tangent " +
+                   stability::literal(tangent);
         };
         if (!(error <= 1))
-            count_mismatch(verdict, text() + "\n  the normal of the image is " + stability::literal(answers[i]) +
-                                        ", " + std::to_string(error) + " of what is allowed off a right angle");
+            count_mismatch(verdict, text() + "\n  the normal of the image is " +
+                                        stability::literal(answers[i]) + ", " + std::to_string(error) +
+                                        " of what is allowed off a right angle");
         else
             remember(verdict, error, text);
     }
@@ -450,8 +458,8 @@ Verdict judge(std::span<const EllipsoidCase> cases, std::span<const std::optiona
         const auto text = [&] { return literal(m) + ", " + stability::literal(ray); };
         if (!right)
             count_mismatch(verdict, text() + "\n  right: " + std::to_string(truth.roots) + " roots, " +
-                                        stability::literal(truth.t0) + " and " + stability::literal(truth.t1) +
-                                        "\n  answered: " +
+                                        stability::literal(truth.t0) + " and " +
+                                        stability::literal(truth.t1) + "\n  answered: " +
                                         (answers[i] ? "a hit at " + stability::literal(t) : "a miss"));
         else
             remember(verdict, error, text);

@@ -6,8 +6,8 @@
 // multiplied by 1e15 together with the column of M⁻¹ that this divides, as ‖M‖‖M⁻¹‖ does; where it is small,
 // the demand is the harder. Demands: |MM⁻¹ − I| ≤ 8uκ and |M⁻¹M − I| ≤ 8uκ, element by element and to first
 // order (uκ·uκ is added), the translation likewise; a singular matrix has no inverse, an invertible one has,
-// unless moving its elements by 8 ulp of the greatest in their row could make it singular; and no answer is NaN or
-// infinite.
+// unless moving its elements by 8 ulp of the greatest in their row could make it singular; and no answer is
+// NaN or infinite.
 #pragma once
 
 #include "common/math/ray.hpp"
@@ -61,9 +61,9 @@ struct EllipsoidFamily {
 
 std::span<const EllipsoidFamily> ellipsoid_families();
 
-/// Judges the hit for the range (0, infinity]: with E = |M⁻¹|(|o| + |t||d| + |m|), m the translation of M, and
-/// the local unit normal n and direction d′, the condition number of t is κ = (|E| + 1)/(|t||n·d′|). Hit or
-/// miss is right unless moving the data by 4 ulp would change it, and |Δt| ≤ 8κu|t|.
+/// Judges the hit for the range (0, infinity]: with E = |M⁻¹|(|o| + |t||d| + |m|), m the translation of M,
+/// and the local unit normal n and direction d′, the condition number of t is κ = (|E| + 1)/(|t||n·d′|). Hit
+/// or miss is right unless moving the data by 4 ulp would change it, and |Δt| ≤ 8κu|t|.
 Verdict judge(std::span<const EllipsoidCase> cases, std::span<const std::optional<Hit>> answers);
 
 }  // namespace rt::stability
