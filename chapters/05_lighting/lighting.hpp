@@ -12,9 +12,9 @@ struct LightSample {
     Vec3 color{0};             ///< arriving, after attenuation
 };
 
-/// [05.1] Light of a point light at `point`: color / (c + l·d + q·d²) at distance d, in world units. Where the
-/// light stands on the point itself: black, with distance 0. Black, too, where the quotient is not a finite
-/// number, because the light stands so near, or the attenuation is not positive. Never NaN.
+/// [05.1] Light of a point light at `point`: color / (c + l·d + q·d²) at distance d, in world units. Where
+/// the light stands on the point itself: black, with distance 0. Black, too, where the quotient is not a
+/// finite number, because the light stands so near, or the attenuation is not positive. Never NaN.
 LightSample sample_light(const PointLight& light, const Vec3& point);
 
 /// [05.1] Light of a directional light: the same everywhere. `light.direction` is a unit vector.

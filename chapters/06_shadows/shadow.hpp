@@ -18,11 +18,11 @@ struct ShadowRay {
     Interval range;
 };
 
-/// [06.2] The shadow ray from the surface to a light: from the offset origin, aimed at the light anew, up to it
-/// but not onto it. Its direction is a unit vector; the end is the distance from the offset origin, shortened
-/// by gamma(16) of itself for rounding, so that what holds the light (a ceiling, say) does not hide it. For a
-/// directional light the direction is the light's and the end infinite. A light on the very origin has an
-/// empty range: nothing hides it.
+/// [06.2] The shadow ray from the surface to a light: from the offset origin, aimed at the light anew, up to
+/// it but not onto it. Its direction is a unit vector; the end is the distance from the offset origin,
+/// shortened by gamma(16) of itself for rounding, so that what holds the light (a ceiling, say) does not hide
+/// it. For a directional light the direction is the light's and the end infinite. A light on the very origin
+/// has an empty range: nothing hides it.
 ShadowRay shadow_ray(const Surface& surface, const LightSample& light);
 
 /// [06.3] Which part of the light arrives where everything is opaque: 0 or 1, the same in all channels.

@@ -39,9 +39,9 @@ Media cross(const Media& media, Medium medium);
 /// [07.5] The rays that go on from a hit, with their weights: mirrored and refracted.
 ///
 /// `incoming.weight` already contains the absorption on the way to the hit. An opaque material (transmission
-/// 0) sends one mirror ray with the factor `specular`. A transparent one sends a mirror ray with the factor R,
-/// its Fresnel reflectance (`specular` where it has none), and a refracted ray with (1 − R) · transmission;
-/// where reflection is total the mirror ray's factor is 1 and there is no other. A ray none of
+/// 0) sends one mirror ray with the factor `specular`. A transparent one sends a mirror ray with the factor
+/// R, its Fresnel reflectance (`specular` where it has none), and a refracted ray with (1 − R) ·
+/// transmission; where reflection is total the mirror ray's factor is 1 and there is no other. A ray none of
 /// whose weights is greater than world.min_contribution is left out, and all are once incoming.depth has
 /// reached world.max_depth.
 Branches scatter(const World& world, const Branch& incoming, const Hit& hit, const Surface& surface,

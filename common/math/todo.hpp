@@ -25,10 +25,7 @@ inline constexpr bool is_optional<std::optional<T>> = true;
 struct Todo {
     std::string step;
     template <class T>
-        requires(!is_optional<T>)
-    operator T() const {
-        throw NotImplemented(step);
-    }
+    requires(!is_optional<T>) operator T() const { throw NotImplemented(step); }
 };
 
 /// The body of an exercise before the student replaces it: converts to whatever the function

@@ -17,9 +17,8 @@ std::vector<Medium> objects_around_eye(const World& world) {
         range.min = hit->t;
         const Primitive& primitive = world.primitives[hit->primitive];
         if (world.materials[primitive.material].transmission == Vec3(0)) continue;
-        const auto same = std::find_if(inside.begin(), inside.end(), [&](const Medium& m) {
-            return m.object == primitive.object;
-        });
+        const auto same = std::find_if(inside.begin(), inside.end(),
+                                       [&](const Medium& m) { return m.object == primitive.object; });
         // Crossed twice: the line entered and left again, so the eye is outside.
         if (same == inside.end())
             inside.push_back({primitive.object, primitive.material});
