@@ -214,6 +214,10 @@ std::string card(const Part& part, const Stop& stop) {
         html(stop.scene.name), html(spoken(stop.scene.name)), html_verdict(stop.passed(), stop.word()));
     if (!stop.problem.empty()) return text + "<p>" + html(stop.problem) + "</p>\n</article>\n";
     const std::string here = part.name + "/", name = spoken(stop.scene.name);
+    // Our own scenes begin with a sentence about themselves; those of others with whatever they like.
+    if (stop.verdict)
+        text +=
+            fmt::format("<p class=\"quiet\">{}</p>\n", html(opening_comment(read_file(stop.scene.scene))));
     std::vector<PageFigure> figures;
     const auto add = [&](const std::string& file, std::string alt, std::string caption) {
         figures.push_back({here + file, std::move(alt), std::move(caption), stop.width, stop.height});
@@ -312,6 +316,20 @@ Verdict judge(const Image& image, const Image& reference,
     verdict.passed = verdict.unexplained == 0 &&
                      static_cast<Real>(verdict.over) <= gate_share * static_cast<Real>(image.pixels.size());
     return verdict;
+}
+
+std::string opening_comment(std::string_view text) {
+    std::string paragraph;
+    while (text.starts_with('#')) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        line.remove_prefix(std::min(line.find_first_not_of("# "), line.size()));
+        line = line.substr(0, line.find_last_not_of(" \r") + 1);
+        if (!paragraph.empty() && !line.empty()) paragraph += ' ';
+        paragraph += line;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return paragraph;
 }
 
 int run_tour(const TourOptions& options, const Project& project) {

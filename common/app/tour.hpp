@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace rt {
@@ -39,6 +41,9 @@ struct TourOptions {
     bool json = false;             ///< one JSON object on standard output instead of the table
     bool quiet = false;            ///< nothing on standard output, no progress
 };
+
+/// What a scene file says of itself: the comment lines that it begins with, as one paragraph.
+std::string opening_comment(std::string_view text);
 
 /// Renders the scenes of all chapters with the implementation that is linked in, compares each with its
 /// reference, writes the page and prints a table. Returns the exit status: 1 if a comparison fails.

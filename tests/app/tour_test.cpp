@@ -225,3 +225,11 @@ TEST_CASE("the gain of a difference grows as the difference shrinks", "[page]") 
     CHECK(gain(1. / 256) == 64);
     CHECK(gain(1e-9) == 4096);
 }
+
+TEST_CASE("a scene's opening comment is one paragraph", "[tour]") {
+    CHECK(opening_comment("# A ball\n#  and a box. \r\nversion 1\n# not this\n") == "A ball and a box.");
+    CHECK(opening_comment("#\n# Words\n\n# other words") == "Words");
+    CHECK(opening_comment("version 1\n# late") == "");
+    CHECK(opening_comment("# no end") == "no end");
+    CHECK(opening_comment("") == "");
+}
