@@ -39,17 +39,6 @@ Real edge_function(const Vec2& p, const Vec2& q) {
     return todo("03.4");
 }
 
-namespace {
-
-/// All that the watertight test needs of a ray.
-struct ShearedRay {
-    Vec3 origin{0};
-    /// Renames the coordinates, so that the direction's greatest one becomes z, and shears the others so that
-    /// the direction's x and y become 0: to this map the ray is the z axis.
-    Mat3 to_z_axis{1};
-    Real direction_z = 1;  ///< the direction's greatest coordinate, with its sign
-};
-
 ShearedRay shear(const Ray& ray) {
     // 03.4  Let z be the axis in which |direction| is greatest, x and y the next two in cyclic
     // order. The map has the rows x − (d.x/d.z)·z, y − (d.y/d.z)·z and z; a matrix of GLM is indexed
@@ -67,8 +56,6 @@ std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, In
     //   4. A triangle without area (unit_normal) is missed, even where rounding made one up.
     return todo("03.4");
 }
-
-}  // namespace
 
 std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval range) {
     return intersect(triangle, shear(ray), range);

@@ -30,12 +30,27 @@ std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point);
 /// bit.
 Real edge_function(const Vec2& p, const Vec2& q);
 
+/// All that the watertight test needs of a ray.
+struct ShearedRay {
+    Vec3 origin{0};
+    /// Renames the coordinates, so that the direction's greatest one becomes z, and shears the others so that
+    /// the direction's x and y become 0: to this map the ray is the z axis.
+    Mat3 to_z_axis{1};
+    Real direction_z = 1;  ///< the direction's greatest coordinate, with its sign
+};
+
+/// [03.4] The ray for the watertight test: worked out once a ray, not once a triangle.
+ShearedRay shear(const Ray& ray);
+
 /// [03.4] Hit of the ray with the triangle in (range.min, range.max], or nothing; both sides count.
 ///
 /// Watertight: a ray that passes between two triangles that share an edge hits at least one of them
 /// (Woop, Benthin & Wald 2013). A point on an edge or corner is hit; a triangle seen edge-on, or without
 /// area (`unit_normal` zero), is missed. `Hit::uv` are the weights of b and c. `t` is in units of
 /// |ray.direction|.
+std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, Interval range);
+
+/// The same for a ray that is not sheared yet. Given.
 std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval range);
 
 /// [03.5] The surface at a hit of a flat triangle: the point as weighted sum of the corners, the unit

@@ -4,8 +4,8 @@
 #include "chapters/02_spheres/sphere.hpp"
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/04_transforms/transform.hpp"
-
 #include "common/math/todo.hpp"
+#include "common/scene/query.hpp"
 
 namespace rt {
 namespace {
@@ -50,8 +50,8 @@ bool any_hit(std::span<const Ellipsoid> ellipsoids, const Ray& ray, Interval ran
 std::optional<Hit> closest_hit(std::span<const Instance> instances, std::span<const SharedMesh> meshes,
                                const Ray& ray, Interval range) {
     // 04.6  For each instance: take the ray to its local space. If it misses the mesh's bounding
-    // sphere (the function `misses` above says so), go on to the next. Else ask chapter 3 for the closest
-    // hit with the mesh's triangles: its `primitive` is the triangle, which belongs into `element`;
+    // sphere (the function `misses` above says so), go on to the next. Else ask for the closest hit with
+    // the mesh, closest_hit(mesh, local, range): its `primitive` is the triangle, which belongs into `element`;
     // `primitive` becomes the instance's index. Keep the nearest, the first of equal ones.
     return todo("04.6");
 }
@@ -61,7 +61,7 @@ bool any_hit(std::span<const Instance> instances, std::span<const SharedMesh> me
     for (const Instance& instance : instances) {
         const SharedMesh& mesh = meshes[instance.mesh];
         const Ray local = to_local(instance.transform, ray);
-        if (!misses(mesh.bound, local, range) && any_hit(mesh.triangles.shapes, local, range)) return true;
+        if (!misses(mesh.bound, local, range) && occluded(mesh, local, range)) return true;
     }
     return false;
 }

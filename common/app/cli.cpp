@@ -3,9 +3,11 @@
 
 #include "common/app/catalogue.hpp"
 #include "common/app/references.hpp"
+#include "common/app/report.hpp"
 #include "common/app/tour.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/todo.hpp"
+#include "common/scene/parse.hpp"
 #include "common/scene/suggest.hpp"
 
 #include <fmt/format.h>
@@ -33,6 +35,7 @@ struct Line {
     std::filesystem::path scene, output;
     CheckCommand check;
     RenderCommand render;
+    ReportCommand report;
     CompareCommand compare;
     ExplainCommand explain;
     TraceCommand trace;
@@ -90,6 +93,17 @@ void add_pictures(Line& line) {
         ->check(CLI::Range(1, 1024));
     sub->add_option("--integrator", line.render.integrator,
                     "raytrace, flat, directions, normals, uv or rasterize instead of what the scene says");
+    CLI::Option* samples =
+        sub->add_option("--spp", line.render.samples, "samples a pixel, instead of the scene's")
+            ->check(CLI::Range(1, most_samples));
+    sub->add_option("--seconds", line.render.seconds, "go on with more samples for so long")
+        ->check(CLI::Range(1e-3, 1e6))
+        ->excludes(samples);
+    sub->add_option("--error", line.render.error,
+                    "go on with more samples until the RMS error is about so small, such as 0.002")
+        ->check(CLI::Range(1e-6, 1.0))
+        ->excludes(samples);
+    sub->add_option("--seed", line.render.seed, "which random numbers are used");
     CLI::Option* solutions =
         sub->add_flag("--solutions", line.render.solutions, "with the solutions of all chapters");
     sub->add_flag("--mine", line.render.mine, "with your code for all chapters, also where it does not pass")
@@ -142,6 +156,15 @@ void add_project(Line& line) {
         line.command("tour", "render every chapter's scenes, compare them with POV-Ray's, write a page",
                      "tour", [&line] { return run_tour(line.tour); });
     sub->add_option("-o,--output", line.tour.output, "directory of the page; default: build/tour");
+
+    sub = line.command("report", "how wrong, how fast, and where it breaks: measured, with a page",
+                       "report error-time --quick", [&line] {
+                           line.report.quick = line.quick;
+                           return run_report(line.report);
+                       });
+    sub->add_option("what", line.report.what, "error-time, stability or leave-out; default: all three");
+    sub->add_option("-o,--output", line.report.output, "directory of the page; default: build/report");
+    sub->add_flag("--quick", line.quick, "a minute instead of ten: fewer cases, samples and triangles");
 
     sub = line.command("test", "every test of the project", "test --quick",
                        [&line] { return run_test(line.quick, line.json); });
@@ -248,7 +271,7 @@ int run_course(int argc, char** argv) {
             return usage_error(line.app, error);
         }
         line.check.json = line.render.json = line.compare.json = line.explain.json = line.trace.json =
-            line.tour.json = line.references.json = line.json;
+            line.tour.json = line.references.json = line.report.json = line.json;
         return line.action();
     } catch (const NotImplemented& error) {
         fmt::print(stderr, "{}\n", not_started(error));

@@ -3,7 +3,9 @@
 // headers of their own.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +48,10 @@ struct RenderCommand {
     std::string size;              ///< "WxH", or empty
     std::string integrator;        ///< or empty
     int threads = 0;
+    std::optional<int> samples;         ///< a pixel
+    std::optional<std::uint64_t> seed;  ///< of the random numbers
+    std::optional<double> seconds;      ///< how long to go on with more samples
+    std::optional<double> error;        ///< how small the RMS error shall be
     bool solutions = false;
     bool mine = false;
     bool preview = false;

@@ -1,6 +1,7 @@
 // The reference pictures: made by POV-Ray from our scenes, and watched for change.
 #include "common/app/references.hpp"
 
+#include "chapters/08_antialiasing/film.hpp"
 #include "common/app/console.hpp"
 #include "common/app/process.hpp"
 #include "common/image/compare.hpp"
@@ -57,14 +58,38 @@ struct Finding {
     bool is_same() const { return pov == State::Same && picture == State::Same && problem.empty(); }
 };
 
-/// Runs POV-Ray in `directory` on scene.pov; the picture is 16-bit, linear.
-Image run_povray(const ReferenceScene& scene, const std::string& text, const Scene& size,
+/// A picture that is `scale` times as large, as samples of the scene's pixels, weighed by its filter.
+Image filtered(const Image& large, int scale, const Scene& scene) {
+    std::vector<FilmSample> samples;
+    samples.reserve(large.pixels.size());
+    for (int y = 0; y < large.height; ++y)
+        for (int x = 0; x < large.width; ++x)
+            samples.push_back({Vec2(x + 0.5, y + 0.5) / Real(scale), pixel(large, x, y), 1});
+    Image image = make_image(scene.width, scene.height);
+    const std::vector<FilmPixel> film =
+        film_of(samples, scene.sampling.filter, {0, 0, scene.width, scene.height});
+    std::ranges::transform(film, image.pixels.begin(), color_of);
+    return image;
+}
+
+/// Runs POV-Ray in `directory` on scene.pov; the picture is 16-bit, linear, and is left there too.
+Image run_povray(const ReferenceScene& scene, const std::string& text, const Scene& parsed,
                  const fs::path& directory, double& seconds) {
     const fs::path source = directory / (scene.name + ".pov"), picture = directory / (scene.name + ".png");
     write_file(source, text);
-    const ProcessResult result = run_process(
-        {"povray", "+I" + source.string(), "+O" + picture.string(), fmt::format("+W{}", size.width),
-         fmt::format("+H{}", size.height), "+FN16", "-D", "+WT2", "-A", "File_Gamma=1.0"});
+    const PovrayRun run = povray_run(parsed);
+    std::vector<std::string> line = {"povray",
+                                     "+I" + source.string(),
+                                     "+O" + picture.string(),
+                                     fmt::format("+W{}", parsed.width * run.scale),
+                                     fmt::format("+H{}", parsed.height * run.scale),
+                                     "+FN16",
+                                     "-D",
+                                     "+WT2",
+                                     "File_Gamma=1.0"};
+    if (run.options.empty()) line.emplace_back("-A");
+    line.insert(line.end(), run.options.begin(), run.options.end());
+    const ProcessResult result = run_process(line);
     if (result.exit_code == 127)
         throw MissingProgram("povray is not installed; install it with: apt-get install povray");
     if (!succeeded(result)) {
@@ -74,6 +99,7 @@ Image run_povray(const ReferenceScene& scene, const std::string& text, const Sce
             fmt::format("POV-Ray failed on {}; its messages are in {}", source.string(), log.string()));
     }
     seconds = result.seconds;
+    if (run.scale > 1) write_png16(picture, filtered(read_image(picture), run.scale, parsed));
     return read_image(picture);
 }
 
@@ -116,7 +142,6 @@ void check_scene(Finding& finding, const fs::path& directory, bool make) {
         else
             fs::remove(scene.pov);
     }
-    // Our own writer has 8 bits only, so POV-Ray's file is kept as it is.
     if (finding.picture != State::Same)
         write_file(scene.picture, read_file(directory / (scene.name + ".png")));
 }

@@ -28,10 +28,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-// As for the scene command `size`.
-constexpr int largest_side = 65536;
-constexpr long long most_pixels = 1 << 28;
-
 constexpr std::array<std::pair<std::string_view, Integrator>, 6> integrators{{
     {"raytrace", Integrator::Raytrace},
     {"flat", Integrator::Flat},
@@ -116,6 +112,14 @@ std::uint64_t all_rays(const RayCounts& rays) {
     return rays.camera + rays.shadow + rays.reflection + rays.refraction;
 }
 
+/// How many samples, and how wrong; nothing for one sample.
+std::string sampling_of(const RenderResult& result) {
+    if (result.samples_per_pixel == 1) return "";
+    const std::string error =
+        result.rms_error ? fmt::format(", RMS error about {:.2g}", *result.rms_error) : "";
+    return fmt::format("{:.6g} samples a pixel{}, ", result.samples_per_pixel, error);
+}
+
 }  // namespace
 
 int run_render(const RenderCommand& command) {
@@ -123,6 +127,10 @@ int run_render(const RenderCommand& command) {
     const fs::path output = output_of(command, scene);
     if (!command.size.empty()) std::tie(scene.width, scene.height) = size_from(command.size);
     if (!command.integrator.empty()) scene.integrator = integrator_named(command.integrator);
+    if (command.samples) scene.sampling.count = *command.samples;
+    if (command.seed) scene.sampling.seed = *command.seed;
+    if (scene.integrator == Integrator::Rasterize && (command.seconds || command.error))
+        throw InputError("--seconds and --error: scan conversion takes one sample a pixel, and is done then");
 
     const char* linked = std::getenv(mine_variable);
     if (!linked && !command.solutions) become_mine(command);
@@ -131,26 +139,33 @@ int run_render(const RenderCommand& command) {
     Progress progress(output.filename().string(), !command.quiet);
     RenderOptions options;
     options.threads = command.threads;
+    options.seconds = command.seconds;
+    options.error = command.error;
     options.progress = [&](Real fraction) { progress.update(fraction); };
     const RenderResult result = render(world, options);
     progress.clear();
     write_image(output, result.image, scene.encoding);
+    // A whole pass may take longer than the time that was given, and the person should know why.
+    if (command.seconds && result.seconds > 1.1 * *command.seconds)
+        fmt::print(stderr, "one sample a pixel takes longer than {}\n", duration(*command.seconds));
 
     if (command.json) {
         const RayCounts& rays = result.rays;
-        const ordered_json object = {{"output", output.string()},
-                                     {"width", scene.width},
-                                     {"height", scene.height},
-                                     {"seconds", result.seconds},
-                                     {"cpu_seconds", result.cpu_seconds},
-                                     {"samples_per_pixel", 1},
-                                     {"rms_error", nullptr},
-                                     {"rays",
-                                      {{"camera", rays.camera},
-                                       {"shadow", rays.shadow},
-                                       {"reflection", rays.reflection},
-                                       {"refraction", rays.refraction}}},
-                                     {"left_out", to_json(explain(scene, world).left_out)}};
+        const ordered_json object = {
+            {"output", output.string()},
+            {"width", scene.width},
+            {"height", scene.height},
+            {"seconds", result.seconds},
+            {"cpu_seconds", result.cpu_seconds},
+            {"samples_per_pixel", result.samples_per_pixel},
+            {"rms_error", result.rms_error ? ordered_json(*result.rms_error) : ordered_json(nullptr)},
+            {"rays",
+             {{"camera", rays.camera},
+              {"shadow", rays.shadow},
+              {"reflection", rays.reflection},
+              {"refraction", rays.refraction}}},
+            {"random_numbers", rays.random_numbers},
+            {"left_out", to_json(explain(scene, world).left_out)}};
         fmt::print("{}\n", object.dump());
         return 0;
     }
@@ -160,8 +175,9 @@ int run_render(const RenderCommand& command) {
         std::fflush(stdout);
     }
     if (!command.quiet)
-        fmt::print(stderr, "{}  {} × {}, {}, {}; {}\n", output.string(), scene.width, scene.height,
-                   counted(static_cast<long long>(all_rays(result.rays)), "ray"), duration(result.seconds),
+        fmt::print(stderr, "{}  {} × {}, {}{}, {}; {}\n", output.string(), scene.width, scene.height,
+                   sampling_of(result), counted(static_cast<long long>(all_rays(result.rays)), "ray"),
+                   duration(result.seconds),
                    linked ? fmt::format("your code for {}, solutions for the rest", linked)
                           : std::string("solutions for all chapters"));
     return 0;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,8 +27,17 @@ struct Verdict {
     Real greatest = 0;            ///< difference of a channel, clamped to [0, 1], in steps of 1/65535
     std::size_t over = 0;         ///< pixels with a channel that differs by more than gate_steps
     std::size_t unexplained = 0;  ///< of these, pixels not at silhouettes
+    /// Root mean square of the differences over the estimated error; of pictures with samples at random only.
+    std::optional<Real> ratio;
     bool passed = false;
 };
+
+/// Greatest factor between a picture's true error and its own estimate of it.
+inline constexpr Real gate_ratio = 1.5;
+
+/// Judges a picture with samples at random by a reference with other samples: the root mean square of the
+/// differences must be what the picture says of itself, within gate_ratio both ways. Throws as `judge` does.
+Verdict judge_samples(const Image& image, const Image& reference, Real rms_error);
 
 /// Judges a picture: at most gate_steps everywhere, save at most gate_share of the pixels, all of these at
 /// silhouettes, that is where the pixel's decision differs from one of its eight neighbours'.

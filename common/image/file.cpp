@@ -8,6 +8,9 @@
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
+// stb_image_write defines it for its own use, without a declaration.
+extern "C" unsigned char* stbi_zlib_compress(unsigned char* data, int size, int* packed_size, int quality);
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -19,6 +22,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -163,6 +167,46 @@ std::string png(const Image& image, Encoding encoding) {
     std::string content;
     stbi_write_png_to_func(append, &content, image.width, image.height, 3, samples.data(), 3 * image.width);
     return content;
+}
+
+/// The four bytes of a number, the most significant first, as PNG has them.
+std::string big_endian(std::uint32_t n) {
+    return {static_cast<char>(n >> 24), static_cast<char>(n >> 16), static_cast<char>(n >> 8),
+            static_cast<char>(n)};
+}
+
+std::string png_chunk(std::string content) {
+    std::uint32_t crc = ~std::uint32_t(0);
+    for (const char c : content) {
+        crc ^= static_cast<std::uint8_t>(c);
+        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc & 1 ? 0xEDB88320u : 0);
+    }
+    return big_endian(static_cast<std::uint32_t>(content.size()) - 4) + content + big_endian(~crc);
+}
+
+/// Three linear samples of 16 bits a pixel. stb writes 8 bits only, but it can pack.
+std::string png16(const Image& image) {
+    std::string rows;
+    rows.reserve(image.pixels.size() * 6 + static_cast<std::size_t>(image.height));
+    for (int y = 0; y < image.height; ++y) {
+        rows += '\0';  // the row is stored as it is
+        for (int x = 0; x < image.width; ++x)
+            for (int i = 0; i < 3; ++i) {
+                const Real light = encode(pixel(image, x, y)[i], Encoding::Linear);
+                const auto sample = static_cast<std::uint32_t>(std::lround(65535 * light));
+                rows += {static_cast<char>(sample >> 8), static_cast<char>(sample)};
+            }
+    }
+    int size = 0;
+    const std::unique_ptr<unsigned char, decltype(&std::free)> packed(
+        stbi_zlib_compress(reinterpret_cast<unsigned char*>(rows.data()), static_cast<int>(rows.size()),
+                           &size, 8),
+        &std::free);
+    const std::string data(reinterpret_cast<const char*>(packed.get()), static_cast<std::size_t>(size));
+    const std::string header = big_endian(static_cast<std::uint32_t>(image.width)) +
+                               big_endian(static_cast<std::uint32_t>(image.height)) +
+                               std::string("\x10\x02\0\0\0", 5);  // 16 bits, RGB, nothing special
+    return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR" + header) + png_chunk("IDAT" + data) + png_chunk("IEND");
 }
 
 // ---- PFM: a header of text, then rows of floats, the bottom row first ----
@@ -393,6 +437,8 @@ void write_image(const fs::path& path, const Image& image, Encoding encoding) {
     check_size(path, image.width, image.height);
     write_file(path, format == ".png" ? png(image, encoding) : format == ".pfm" ? pfm(image) : hdr(image));
 }
+
+void write_png16(const std::filesystem::path& path, const Image& image) { write_file(path, png16(image)); }
 
 void write_file(const fs::path& path, std::string_view content) {
     std::error_code error;

@@ -29,6 +29,9 @@ Image read_image(const std::filesystem::path& path, Encoding encoding = Encoding
 /// and NaN become 0) as `write_file` does. Throws InputError, also for an unknown ending.
 void write_image(const std::filesystem::path& path, const Image& image, Encoding encoding = Encoding::Srgb);
 
+/// Writes a PNG of 16 bits a channel, linear: what references are kept in. Values outside [0, 1] are clamped.
+void write_png16(const std::filesystem::path& path, const Image& image);
+
 /// Writes `content` to `path` whole, through a temporary file beside it and a rename; a link or the
 /// permissions of an existing file are kept, a device or pipe is written directly. Throws InputError with
 /// the path and what is wrong; then nothing is left behind and an existing file is as it was.

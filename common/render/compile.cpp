@@ -4,6 +4,7 @@
 #include "chapters/01_ray_casting/camera.hpp"
 #include "common/math/input_error.hpp"
 #include "common/render/eye_inside.hpp"
+#include "common/render/grids.hpp"
 #include "common/render/primitives.hpp"
 
 #include <fmt/core.h>
@@ -110,6 +111,12 @@ World compile(const Scene& scene) {
     world.integrator = scene.integrator;
     world.max_depth = scene.max_depth;
     world.min_contribution = scene.min_contribution;
+    world.sampling = scene.sampling;
+    const Filter& filter = scene.sampling.filter;
+    const bool own_samples = filter.kind == FilterKind::Box && filter.radius == 0.5;
+    // Scan conversion finds what is at the pixels' centres.
+    world.needs.samples =
+        scene.integrator != Integrator::Rasterize && (scene.sampling.count > 1 || !own_samples);
     // A picture of ray directions looks at no object at all.
     if (scene.integrator == Integrator::Directions) return world;
     compile_materials(scene, world);
@@ -120,6 +127,7 @@ World compile(const Scene& scene) {
             if (!std::holds_alternative<TriangleObject>(object.shape) &&
                 !std::holds_alternative<MeshObject>(object.shape))
                 fail(scene, object.place, "scan conversion draws triangles only");
+    add_grids(scene, world);
     if (world.needs.refraction) world.eye_inside = objects_around_eye(world);
     return world;
 }

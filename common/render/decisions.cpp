@@ -2,6 +2,7 @@
 #include "common/render/decisions.hpp"
 
 #include "chapters/01_ray_casting/camera.hpp"
+#include "common/math/random.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -10,12 +11,20 @@
 namespace rt {
 namespace {
 
-void mix(std::uint64_t& hash, std::uint64_t value) {
-    // splitmix64 (Steele, Lea & Flood 2014).
-    hash += value + 0x9e3779b97f4a7c15u;
-    hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
-    hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
-    hash ^= hash >> 31;
+void mix(std::uint64_t& hash, std::uint64_t value) { hash = mixed(hash, value); }
+
+/// The decision that is the same all over the pixel; if there is none, one that no other pixel has.
+std::uint64_t decision_of_pixel(const World& world, int x, int y) {
+    const auto decided_at = [&](const Vec2& at) {
+        return decision(world, trace_tree(world, pixel_ray(world.view, x + at.x, y + at.y)));
+    };
+    const std::uint64_t middle = decided_at(Vec2(0.5));
+    if (!world.needs.samples) return middle;
+    for (int j = 0; j <= 8; ++j)
+        for (int i = 0; i <= 8; ++i)
+            if (decided_at(Vec2(i, j) / Real(8)) != middle)
+                return mixed(mixed(middle, static_cast<std::uint64_t>(x)), static_cast<std::uint64_t>(y));
+    return middle;
 }
 
 }  // namespace
@@ -46,8 +55,7 @@ std::vector<std::uint64_t> decisions(const World& world) {
     tbb::parallel_for(0, view.height, [&](int y) {
         for (int x = 0; x < view.width; ++x)
             result[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) +
-                   static_cast<std::size_t>(x)] =
-                decision(world, trace_tree(world, pixel_ray(view, x + 0.5, y + 0.5)));
+                   static_cast<std::size_t>(x)] = decision_of_pixel(world, x, y);
     });
     return result;
 }

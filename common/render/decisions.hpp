@@ -14,7 +14,8 @@ namespace rt {
 std::uint64_t decision(const World& world, const std::vector<TraceRecord>& tree);
 
 /// The decision of the ray through each pixel's centre, row by row. Where two neighbours differ runs a
-/// silhouette, a shadow's edge or the like: only there may another ray tracer see something else.
+/// silhouette, a shadow's edge or the like: only there may another ray tracer see something else. In a
+/// picture of several samples a pixel, pixels within which decisions differ have a number of their own.
 std::vector<std::uint64_t> decisions(const World& world);
 
 }  // namespace rt

@@ -1,7 +1,9 @@
 // What compiling a scene kept, what it left out, and why.
 #include "common/render/explain.hpp"
 
+#include "chapters/09_grids/build.hpp"
 #include "common/render/compile.hpp"
+#include "common/render/grids.hpp"
 
 #include <fmt/core.h>
 
@@ -48,8 +50,16 @@ std::size_t bytes(const World& world) {
     std::size_t sum = bytes(world.primitives) + bytes(world.materials) + bytes(world.patterns) +
                       bytes(world.point_lights) + bytes(world.directional_lights);
     for (const AnyGroup& any : world.groups)
-        sum += std::visit([](const auto& group) { return bytes(group); }, any);
-    for (const SharedMesh& mesh : world.meshes) sum += bytes(mesh.triangles);
+        sum += std::visit(
+            []<class Kind>(const Kind& group) {
+                if constexpr (has_grid<Kind>)
+                    return bytes(group) + bytes_of(group.grid);
+                else
+                    return bytes(group);
+            },
+            any);
+    for (const SharedMesh& mesh : world.meshes)
+        sum += bytes(mesh.triangles) + (mesh.grid.empty() ? 0 : bytes_of(mesh.grid));
     return sum;
 }
 
@@ -66,18 +76,57 @@ struct Sorter {
     }
 };
 
-void explain_groups(const World& world, Explanation& explanation) {
+/// The number of grids: this one and all that are in it.
+std::size_t grids_in(const Grid& grid) {
+    std::size_t sum = 1;
+    for (const Grid& inner : grid.grids) sum += grids_in(inner);
+    return sum;
+}
+
+void explain_grid(const Scene& scene, const World& world, const Grid& grid, std::size_t shapes,
+                  Explanation& explanation) {
+    const Cells& cells = grid.shape.cells;
+    const std::string what =
+        fmt::format("grid of {} × {} × {} cells{} for them, {} bytes a shape", cells.x, cells.y, cells.z,
+                    grid.grids.empty() ? "" : fmt::format(" and {} grids in it", grids_in(grid) - 1),
+                    bytes_of(grid) / shapes);
+    explanation.kept.push_back({what, scene.accelerator == Accelerator::Auto
+                                          ? fmt::format("about {:.2g} rays would ask {} shapes each",
+                                                        expected_rays(scene, world), shapes)
+                                          : "the scene says 'accelerator'"});
+}
+
+std::string why_no_grids(const Scene& scene, const World& world) {
+    if (scene.accelerator == Accelerator::None) return "the scene says 'accelerator none'";
+    if (scene.integrator == Integrator::Rasterize) return "scan conversion traces no rays";
+    std::size_t most = 0;
     for (const AnyGroup& any : world.groups)
         std::visit(
-            [&](const auto& group) {
-                const Kind k = kind(group);
-                explanation.kept.push_back({counted(group.shapes.size(), k.one, k.many), "in one array"});
+            [&]<class Kind>(const Kind& group) {
+                if (!std::is_same_v<Kind, Planes>) most = std::max(most, group.shapes.size());
             },
             any);
-    for (const SharedMesh& mesh : world.meshes)
+    for (const SharedMesh& mesh : world.meshes) most = std::max(most, mesh.triangles.shapes.size());
+    if (most == 0) return "nothing has an end";
+    return fmt::format("at most {} of a kind: to ask them all costs less than to build and walk", most);
+}
+
+void explain_groups(const Scene& scene, const World& world, Explanation& explanation) {
+    for (const AnyGroup& any : world.groups)
+        std::visit(
+            [&]<class Kind>(const Kind& group) {
+                const auto k = kind(group);
+                explanation.kept.push_back({counted(group.shapes.size(), k.one, k.many), "in one array"});
+                if constexpr (has_grid<Kind>)
+                    explain_grid(scene, world, group.grid, group.shapes.size(), explanation);
+            },
+            any);
+    for (const SharedMesh& mesh : world.meshes) {
+        const std::size_t shapes = mesh.triangles.shapes.size();
         explanation.kept.push_back(
-            {counted(mesh.triangles.shapes.size(), "shared triangle", "shared triangles"),
-             "one mesh that several objects show"});
+            {counted(shapes, "shared triangle", "shared triangles"), "one mesh that several objects show"});
+        if (!mesh.grid.empty()) explain_grid(scene, world, mesh.grid, shapes, explanation);
+    }
 }
 
 void explain_lights(const Scene& scene, const World& world, Explanation& explanation) {
@@ -115,7 +164,15 @@ void explain_features(const Scene& scene, const World& world, Explanation& expla
     sort.feature(needs.refraction, "refracted rays", "some material transmits",
                  "no material transmits, or no bounce is allowed");
     sort.feature(needs.absorption, "absorption", "some material absorbs inside", "no medium absorbs");
-    explanation.left_out.push_back({"random numbers", "one sample a pixel, at its centre"});
+    if (needs.samples)
+        explanation.kept.push_back(
+            {fmt::format("{} samples a pixel", world.sampling.count),
+             world.sampling.count > 1 ? "the scene says 'spp'" : "its filter is wider than a pixel"});
+    else
+        explanation.left_out.push_back({"random numbers", world.integrator == Integrator::Rasterize
+                                                              ? "scan conversion looks at the pixels' centres"
+                                                              : "one sample a pixel, at its centre"});
+    if (!needs.grids) explanation.left_out.push_back({"grids", why_no_grids(scene, world)});
 }
 
 std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
@@ -123,8 +180,9 @@ std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
     for (const AnyGroup& any : world.groups) {
         chapters.emplace_back(std::visit([](const auto& group) { return kind(group).chapter; }, any));
         // An ellipsoid is a sphere in its own space; an instance has triangles in a bounding sphere.
-        if (std::holds_alternative<Ellipsoids>(any)) chapters.emplace_back("02");
-        if (std::holds_alternative<Instances>(any)) chapters.insert(chapters.end(), {"02", "03"});
+        const std::string_view of = std::visit([](const auto& group) { return kind(group).many; }, any);
+        if (of.starts_with("ellipsoid")) chapters.emplace_back("02");
+        if (of.starts_with("instance")) chapters.insert(chapters.end(), {"02", "03"});
     }
     for (const Object& object : scene.objects)
         if (object.transform >= 0 && !world.groups.empty()) {
@@ -136,6 +194,9 @@ std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
     if (needs.lights || recursion) chapters.emplace_back("05");
     if (needs.shadows || recursion) chapters.emplace_back("06");
     if (recursion) chapters.emplace_back("07");
+    if (needs.samples) chapters.emplace_back("08");
+    // A grid that the scene does not ask for is a matter of time only.
+    if (needs.grids && scene.accelerator != Accelerator::Auto) chapters.emplace_back("09");
     std::sort(chapters.begin(), chapters.end());
     chapters.erase(std::unique(chapters.begin(), chapters.end()), chapters.end());
     return chapters;
@@ -145,7 +206,7 @@ std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
 
 Explanation explain(const Scene& scene, const World& world) {
     Explanation explanation;
-    explain_groups(world, explanation);
+    explain_groups(scene, world, explanation);
     explain_lights(scene, world, explanation);
     explain_features(scene, world, explanation);
     explanation.chapters = chapters_of(scene, world);

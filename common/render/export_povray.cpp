@@ -92,8 +92,12 @@ void write_header(Writer& out) {
     const Scene& scene = out.scene;
     const std::string name = std::filesystem::path(scene.file).stem().string();
     out.line("// {}, written by `course export`.", std::filesystem::path(scene.file).filename().string());
-    out.line("// povray +I{0}.pov +O{0}.png +W{1} +H{2} +FN16 -D -A File_Gamma=1.0", name, scene.width,
-             scene.height);
+    const PovrayRun run = povray_run(scene);
+    out.line("// povray +I{0}.pov +O{0}.png +W{1} +H{2} +FN16 -D {3} File_Gamma=1.0", name,
+             scene.width * run.scale, scene.height * run.scale,
+             run.options.empty() ? "-A" : fmt::format("{}", fmt::join(run.options, " ")));
+    if (run.scale > 1)
+        out.line("// then {0} × {0} of its pixels are one of ours, weighed by our filter", run.scale);
     out.line("#version 3.7;");
     int levels = 1;
     if (has_bounces(scene)) {
@@ -548,6 +552,36 @@ void write_objects(Writer& out) {
 }
 
 }  // namespace
+
+PovrayRun povray_run(const Scene& scene) {
+    const Sampling& sampling = scene.sampling;
+    const bool box = sampling.filter.kind == FilterKind::Box && sampling.filter.radius == 0.5;
+    const auto root = static_cast<int>(std::sqrt(static_cast<Real>(sampling.count)) + 0.5);
+    const auto option = [](const char* name, int n) { return fmt::format("{}{}", name, n); };
+    if (sampling.count == 1) return {};
+    switch (sampling.sampler) {
+        case Sampler::Regular:
+            if (root * root == sampling.count) return {root, {}, true};
+            break;
+        case Sampler::Trapezoid:
+            // Its recursion halves the pixel `depth` − 1 times.
+            for (int depth = 1; box && depth <= 4; ++depth)
+                if (const int side = (1 << (depth - 1)) + 1; side * side == sampling.count)
+                    return {1, {"+AM2", "+A0.0", option("+R", depth), "-J"}, true};
+            break;
+        case Sampler::Centered: {
+            const auto side = static_cast<int>(std::sqrt(static_cast<Real>(sampling.count - 1)) + 0.5);
+            if (box && side * side == sampling.count - 1)
+                return {1, {"+AM1", "+A0.0", option("+R", side), "-J"}, true};
+            break;
+        }
+        case Sampler::Random:
+        case Sampler::Jittered:
+        case Sampler::Poisson:
+            break;
+    }
+    return {8, {"+AM1", "+A0.0", "+R3", "-J"}, false};
+}
 
 std::string export_povray(const Scene& scene) {
     Writer out{scene, {}};

@@ -7,6 +7,7 @@
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/04_transforms/instance.hpp"
 #include "chapters/04_transforms/transform.hpp"
+#include "chapters/09_grids/walk.hpp"
 #include "common/scene/query.hpp"
 
 namespace rt {
@@ -28,6 +29,21 @@ inline std::optional<Hit> closest_in(const World& world, const Instances& group,
     return closest_hit(shapes_of(group), world.meshes, ray, range);
 }
 
+/// The calling thread's mailbox of a grid; it stays where it is.
+Mailbox& mailbox_of(const Grid& grid);
+
+// What is asked of a grid is kept out of the functions that ask, which else would save registers for it
+// always.
+template <class Kind>
+[[gnu::noinline]] std::optional<Hit> closest_in(const World&, const Gridded<Kind>& group, const Ray& ray,
+                                                Interval range) {
+    return closest_hit(group.grid, shapes_of(group), ray, range, mailbox_of(group.grid));
+}
+[[gnu::noinline]] inline std::optional<Hit> closest_in(const World& world, const Gridded<Instances>& group,
+                                                       const Ray& ray, Interval range) {
+    return closest_hit(group.grid, shapes_of(group), world.meshes, ray, range, mailbox_of(group.grid));
+}
+
 /// Whether any of the group's shapes is hit.
 template <class Shape>
 bool any_in(const World&, const Group<Shape>& group, const Ray& ray, Interval range) {
@@ -35,6 +51,14 @@ bool any_in(const World&, const Group<Shape>& group, const Ray& ray, Interval ra
 }
 inline bool any_in(const World& world, const Instances& group, const Ray& ray, Interval range) {
     return any_hit(shapes_of(group), world.meshes, ray, range);
+}
+template <class Kind>
+[[gnu::noinline]] bool any_in(const World&, const Gridded<Kind>& group, const Ray& ray, Interval range) {
+    return any_hit(group.grid, shapes_of(group), ray, range, mailbox_of(group.grid));
+}
+[[gnu::noinline]] inline bool any_in(const World& world, const Gridded<Instances>& group, const Ray& ray,
+                                     Interval range) {
+    return any_hit(group.grid, shapes_of(group), world.meshes, ray, range, mailbox_of(group.grid));
 }
 
 /// The surface at a hit with the group's shape `index`.
@@ -70,6 +94,13 @@ inline Surface surface_in(const World& world, const Instances& group, std::uint3
                           const Hit& hit) {
     const Instance& instance = group.shapes[index];
     return surface_at(instance, world.meshes[instance.mesh], ray, hit);
+}
+
+/// A grid changes nothing about the surface.
+template <class Kind>
+Surface surface_in(const World& world, const Gridded<Kind>& group, std::uint32_t index, const Ray& ray,
+                   const Hit& hit) {
+    return surface_in(world, static_cast<const Kind&>(group), index, ray, hit);
 }
 
 /// The group of a world that has no other; it must be of this kind. It holds all the primitives in the order

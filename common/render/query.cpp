@@ -5,6 +5,7 @@
 #include "common/render/lights.hpp"
 
 #include <cmath>
+#include <deque>
 
 namespace rt {
 namespace {
@@ -47,6 +48,25 @@ bool occluded(const World& world, const Ray& ray, Interval range) {
     if (world.groups.size() != 1) return any_of_several(world, ray, range);
     return std::visit([&](const auto& group) { return any_in(world, group, ray, range); },
                       world.groups.front());
+}
+
+std::optional<Hit> closest_hit(const SharedMesh& mesh, const Ray& local, Interval range) {
+    const std::span<const Triangle> triangles = mesh.triangles.shapes;
+    if (mesh.grid.empty()) return closest_hit(triangles, local, range);
+    return closest_hit(mesh.grid, triangles, local, range, mailbox_of(mesh.grid));
+}
+
+bool occluded(const SharedMesh& mesh, const Ray& local, Interval range) {
+    const std::span<const Triangle> triangles = mesh.triangles.shapes;
+    if (mesh.grid.empty()) return any_hit(triangles, local, range);
+    return any_hit(mesh.grid, triangles, local, range, mailbox_of(mesh.grid));
+}
+
+Mailbox& mailbox_of(const Grid& grid) {
+    // A deque, because a mesh asks for its mailbox while the grid that it stands in uses its own.
+    thread_local std::deque<Mailbox> mailboxes;
+    if (grid.mailbox >= mailboxes.size()) mailboxes.resize(grid.mailbox + 1);
+    return mailboxes[grid.mailbox];
 }
 
 Surface surface_at(const World& world, const Ray& ray, const Hit& hit) {

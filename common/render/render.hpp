@@ -5,23 +5,36 @@
 #include "common/scene/query.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace rt {
 
 struct RenderOptions {
     int threads = 0;                     ///< 0: one a core
     std::function<void(Real)> progress;  ///< told the finished fraction, from any thread; may be empty
+    /// Goes on with passes of new samples for about so long (wall clock). One whole pass at least is made.
+    std::optional<double> seconds{};
+    /// Goes on with passes of new samples until the estimated RMS error is at most this. If `seconds` is
+    /// given too, whichever comes first ends the picture. With either, the world's sampling.count is not
+    /// used.
+    std::optional<Real> error{};
+    /// Whether a picture of a given number of samples estimates its error, which takes further samples.
+    bool estimate = true;
 };
 
 struct RenderResult {
     Image image;
     RayCounts rays;
+    Real samples_per_pixel = 1;  ///< on average
+    /// Estimated root mean square error of all pixels and channels, linear, that comes from finite sampling;
+    /// nothing where there is one sample a pixel.
+    std::optional<Real> rms_error;
     double seconds = 0;      ///< of the wall clock
     double cpu_seconds = 0;  ///< of all threads together
 };
 
-/// Renders the world in tiles. The image is the same to the bit for any number of threads.
-/// An exercise that is not started throws NotImplemented through here.
+/// Renders the world in tiles. The image is the same to the bit for any number of threads (save where
+/// `seconds` ends it). An exercise that is not started throws NotImplemented through here.
 RenderResult render(const World& world, const RenderOptions& options = {});
 
 }  // namespace rt

@@ -181,6 +181,11 @@ void draw(Canvas&, const World&, const Shapes&) {
     throw InputError("scan conversion draws triangles only; this scene has other shapes too");
 }
 
+template <class Kind>
+void draw(Canvas& canvas, const World& world, const Gridded<Kind>& group) {
+    draw(canvas, world, static_cast<const Kind&>(group));
+}
+
 }  // namespace
 
 std::vector<std::optional<Hit>> scan_convert(const World& world) {

@@ -104,8 +104,15 @@ RayColor color_function_for(const World& world) {
 
 RayColor color_function(const World& world) {
     if (world.groups.size() != 1) return color_function_for<AllKinds>(world);
-    return std::visit([&]<class Kind>(const Kind&) { return color_function_for<OnlyKind<Kind>>(world); },
-                      world.groups.front());
+    return std::visit(
+        [&]<class Kind>(const Kind&) {
+            // Next to a walk through a grid, the choice of a kind is nothing.
+            if constexpr (has_grid<Kind>)
+                return color_function_for<AllKinds>(world);
+            else
+                return color_function_for<OnlyKind<Kind>>(world);
+        },
+        world.groups.front());
 }
 
 }  // namespace rt

@@ -18,8 +18,6 @@ namespace rt {
 
 namespace {
 
-constexpr Real largest_side = 65536;
-constexpr Real most_pixels = 1 << 28;
 constexpr std::size_t longest_line = std::size_t{1} << 20;
 
 struct Parser;
@@ -44,6 +42,7 @@ struct Parser {
     std::vector<int> transform_stack{};
     bool has_camera = false;
     bool has_command = false;
+    std::string adaptive_place{};  ///< of `adaptive on`, for a message
     std::map<std::string, std::uint32_t> mesh_of_file{};
 
     const Command* command = nullptr;
@@ -215,11 +214,11 @@ void add_mesh(Parser& parser) {
 void set_size(Parser& parser) {
     const Real width = whole(parser, 1, "width", 1, largest_side),
                height = whole(parser, 2, "height", 1, largest_side);
-    if (width * height > most_pixels)
+    if (width * height > static_cast<Real>(most_pixels))
         fail(parser, parser.words[1],
              shown(width) + " by " + shown(height) + " is " +
                  std::to_string(static_cast<long>(width * height)) + " pixels; at most " +
-                 std::to_string(static_cast<long>(most_pixels)) + " are possible");
+                 std::to_string(most_pixels) + " are possible");
     parser.scene.width = static_cast<int>(width);
     parser.scene.height = static_cast<int>(height);
 }
@@ -273,6 +272,18 @@ void set_attenuation(Parser& parser) {
     parser.attenuation = not_negative3(parser, 1, "attenuation");
     if (parser.attenuation == Vec3(0))
         fail(parser, parser.words[1], "attenuation 0 0 0 would divide light by zero");
+}
+
+void set_filter(Parser& parser) {
+    parser.scene.sampling.filter = choice<Filter>(parser, {{"box", {FilterKind::Box, 0.5}},
+                                                           {"tent", {FilterKind::Tent, 1}},
+                                                           {"gaussian", {FilterKind::Gaussian, 1.5}},
+                                                           {"mitchell", {FilterKind::Mitchell, 2}}});
+}
+
+void set_adaptive(Parser& parser) {
+    parser.scene.sampling.adaptive = choice<bool>(parser, {{"on", true}, {"off", false}});
+    parser.adaptive_place = message_at(parser, parser.words[0].data(), "");
 }
 
 void set_version(Parser& parser) {
@@ -441,6 +452,53 @@ Command commands[] = {
       "For the objects that follow: light inside is multiplied by exp(−absorption · distance); default none.",
       "07"},
      [](Parser& p) { p.material.absorption = not_negative3(p, 1, "absorption"); }},
+    {{"spp", "n", "Samples a pixel, from 1 to 65536; default 1, which lies in the pixel's centre.", "08"},
+     [](Parser& p) {
+         p.scene.sampling.count = static_cast<int>(whole(p, 1, "the number of samples", 1, most_samples));
+     }},
+    {{"sampler", "jittered|random|regular|poisson|trapezoid|centered",
+      "Where several samples lie: one at random in each of equal cells (default), all at random, in the "
+      "middles "
+      "of equal cells, at random but none near another, on the corners of cells with the trapezoid rule's "
+      "weights, or in the middles and one more at the centre.",
+      "08"},
+     [](Parser& p) {
+         p.scene.sampling.sampler = choice<Sampler>(p, {{"jittered", Sampler::Jittered},
+                                                        {"random", Sampler::Random},
+                                                        {"regular", Sampler::Regular},
+                                                        {"poisson", Sampler::Poisson},
+                                                        {"trapezoid", Sampler::Trapezoid},
+                                                        {"centered", Sampler::Centered}});
+     }},
+    {{"adaptive", "on|off",
+      "Whether pixels whose colours differ more get more of the samples; `spp` is then their mean number. "
+      "For the "
+      "samplers `jittered` and `random`; default off.",
+      "08"},
+     set_adaptive},
+    {{"filter", "box|tent|gaussian|mitchell",
+      "What samples count for a pixel, by their distance from its centre along each axis: all in the pixel "
+      "alike "
+      "(default); less and less up to 1 pixel, or 1.5; the cubic of Mitchell and Netravali up to 2.",
+      "08"},
+     set_filter},
+    {{"seed", "n", "Which random numbers are used, from 0 to 2^53; default 0.", "08"},
+     [](Parser& p) {
+         p.scene.sampling.seed = static_cast<std::uint64_t>(whole(p, 1, "the seed", 0, 0x1p53));
+     }},
+    {{"accelerator", "auto|none|grid|nested",
+      "What is built so that a ray need not ask every shape: `nested` a grid of grids over each kind of "
+      "shape and "
+      "each shared mesh, `grid` a single uniform one, `none` nothing; `auto` (default) a grid of grids where "
+      "it "
+      "pays. The picture is the same to the bit.",
+      "09"},
+     [](Parser& p) {
+         p.scene.accelerator = choice<Accelerator>(p, {{"auto", Accelerator::Auto},
+                                                       {"none", Accelerator::None},
+                                                       {"grid", Accelerator::Grid},
+                                                       {"nested", Accelerator::Nested}});
+     }},
 };
 
 /// The commands by name, the number of their arguments counted.
@@ -530,6 +588,12 @@ Scene parse_scene_text(std::string_view text, const std::string& name, const std
         throw InputError(
             name + ":" + std::to_string(std::max(parser.line_number, 1)) +
             ":1: no camera in the whole file; expected somewhere: camera fx fy fz ax ay az ux uy uz fovy");
+    const Sampling& sampling = parser.scene.sampling;
+    if (sampling.adaptive && sampling.sampler != Sampler::Jittered && sampling.sampler != Sampler::Random)
+        throw InputError(
+            parser.adaptive_place +
+            "'adaptive on' needs 'sampler jittered' or 'sampler random': the other patterns have a "
+            "given number of samples");
     return std::move(parser.scene);
 }
 

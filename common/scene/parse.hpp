@@ -11,6 +11,11 @@
 
 namespace rt {
 
+// What is possible at all.
+inline constexpr int largest_side = 65536;         ///< pixels of a picture's side
+inline constexpr long long most_pixels = 1 << 28;  ///< of a picture
+inline constexpr int most_samples = 65536;         ///< a pixel, in one pattern
+
 /// How strictly to read, and what else may be read.
 struct ParseOptions {
     bool lenient = false;  ///< skip unknown commands with a warning; without this they are errors

@@ -14,6 +14,13 @@ std::optional<Hit> closest_hit(const World& world, const Ray& ray, Interval rang
 /// Whether anything at all is hit in (range.min, range.max]; stops at the first that is.
 bool occluded(const World& world, const Ray& ray, Interval range);
 
+/// Nearest hit with the mesh's triangles in (range.min, range.max], for a ray in the mesh's own space;
+/// `Hit::primitive` is the triangle's index. Of equal distances the lowest wins.
+std::optional<Hit> closest_hit(const SharedMesh& mesh, const Ray& local, Interval range);
+
+/// Whether any triangle of the mesh is hit in the range, for a ray in the mesh's own space.
+bool occluded(const SharedMesh& mesh, const Ray& local, Interval range);
+
 /// The surface at a hit that `closest_hit` returned for the same world and ray.
 Surface surface_at(const World& world, const Ray& ray, const Hit& hit);
 
@@ -35,6 +42,7 @@ struct RayCounts {
     std::uint64_t shadow = 0;
     std::uint64_t reflection = 0;
     std::uint64_t refraction = 0;
+    std::uint64_t random_numbers = 0;  ///< that were drawn for samples
 };
 
 /// The calling thread's counts so far; whoever starts a ray adds it here.

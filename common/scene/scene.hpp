@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/image/image.hpp"
+#include "common/scene/sampling.hpp"
 #include "common/scene/shapes.hpp"
 
 #include <cstdint>
@@ -32,6 +33,14 @@ struct Camera {
 
 /// How a scene's rays become colours; see common/scene/README.md.
 enum class Integrator { Raytrace, Flat, Directions, Normals, Uv, Rasterize };
+
+/// What is built so that a ray need not ask every shape.
+enum class Accelerator {
+    Auto,    ///< grids of grids, where they pay
+    None,    ///< nothing
+    Grid,    ///< one uniform grid over each group of shapes and each shared mesh
+    Nested,  ///< the same, and crowded cells have grids of their own
+};
 
 /// A solid checkerboard of cubes in world space: factor on ambient, diffuse and emission.
 struct Checker {
@@ -138,6 +147,8 @@ struct Scene {
     int max_depth = 5;          ///< greatest number of bounces
     Real min_contribution = 0;  ///< rays whose weight is not greater in any channel are not followed
     bool shadows = true;
+    Accelerator accelerator = Accelerator::Auto;
+    Sampling sampling;
     std::string output;  ///< `output`; empty if not said
     Encoding encoding = Encoding::Linear;
     Integrator integrator = Integrator::Raytrace;

@@ -1,7 +1,9 @@
 // What the renderer reads: only what this scene needs, each kind of primitive in one array.
 #pragma once
 
+#include "common/scene/grid.hpp"
 #include "common/scene/hit.hpp"
+#include "common/scene/sampling.hpp"
 #include "common/scene/view.hpp"
 
 #include <cstdint>
@@ -61,14 +63,28 @@ struct Triangles : Group<Triangle> {
     std::vector<TriangleNormals> normals;
     std::vector<TriangleUvs> uvs;
 };
+
+/// A group with a grid over its shapes.
+template <class Kind>
+struct Gridded : Kind {
+    Grid grid;
+};
+
+template <class Group>
+inline constexpr bool has_grid = false;
+template <class Kind>
+inline constexpr bool has_grid<Gridded<Kind>> = true;
+
 // To add a kind of primitive: its struct in shapes.hpp, an alternative here, and overloads of
-// closest_hit, any_hit and surface_at in its chapter's contract.
-using AnyGroup = std::variant<Planes, Spheres, Triangles, Polygons, Ellipsoids, Instances>;
+// closest_hit, any_hit and surface_at in its chapter's contract. Planes have no end, so no grid holds them.
+using AnyGroup = std::variant<Planes, Spheres, Triangles, Polygons, Ellipsoids, Instances, Gridded<Spheres>,
+                              Gridded<Triangles>, Gridded<Polygons>, Gridded<Ellipsoids>, Gridded<Instances>>;
 
 /// The triangles of a mesh that instances share, in the mesh's own space, with a sphere around them.
 struct SharedMesh {
     Triangles triangles;
     Sphere bound;
+    Grid grid;  ///< without cells where asking all the triangles is cheaper
 };
 
 /// Where a primitive of the file went.
@@ -104,11 +120,14 @@ struct Needs {
     bool reflection = false;       ///< some material mirrors
     bool refraction = false;       ///< some material transmits
     bool absorption = false;       ///< some material absorbs inside
+    bool grids = false;            ///< some group or mesh has a grid
+    bool samples = false;          ///< pixels have more than one sample, or share samples by a wide filter
 };
 
 /// A compiled scene. Equal for equal scenes; the renderer never changes it.
 struct World {
     View view;
+    Sampling sampling;
     Vec3 background{0};
     Integrator integrator = Integrator::Raytrace;
     int max_depth = 5;

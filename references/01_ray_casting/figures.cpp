@@ -1,39 +1,18 @@
 // Draws the figures of lesson 1 into the directory that it is given.
 // Numbers in the figures are computed here, by the course's own functions where there is one.
+#include "references/figures.hpp"
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/01_ray_casting/plane.hpp"
-#include "common/image/file.hpp"
-#include "common/image/svg.hpp"
-#include "common/render/compile.hpp"
-#include "common/render/render.hpp"
-#include "common/scene/parse.hpp"
 #include "tests/support.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <iostream>
-#include <vector>
 
 using namespace rt;
+using namespace rt::figures;
 
 namespace {
 
-using namespace svg_color;
-using Path = std::filesystem::path;
-
 const SvgFont label{.size = 16, .italic = true};
-const SvgFont note{.size = 14, .color = grey};
-const SvgFont heading{.size = 17, .anchor = "middle", .bold = true};
-
-SvgFont middle(SvgFont font) {
-    font.anchor = "middle";
-    return font;
-}
-SvgFont colored(SvgFont font, const char* color) {
-    font.color = color;
-    return font;
-}
 
 /// 1234567 as "1,234,567".
 std::string grouped(long long value) {
@@ -45,10 +24,6 @@ std::string grouped(long long value) {
 
 /// `value` with a minus sign as printers set it.
 std::string signed_decimal(Real value) { return (value < 0 ? "−" : "") + decimal(std::abs(value)); }
-
-void dot_at(Svg& svg, Vec2 at, const char* color = ink, Real radius = 3.5) {
-    circle(svg, at, radius, {.stroke = "none", .fill = color});
-}
 
 /// A pinhole camera that looks to the left, its hole at `at`.
 void camera_at(Svg& svg, Vec2 at) {
@@ -477,24 +452,7 @@ void draw_up(const Path& directory) {
     write_svg(directory / "up.svg", svg);
 }
 
-// The chapter's scenes, as a display shows them ---------------------------------------------------------
-
-void draw_scenes(const Path& directory) {
-    for (const char* name : {"directions", "horizon", "orthographic", "planes"}) {
-        const Path file = Path(__FILE__).parent_path() / (std::string(name) + ".scene");
-        const Scene scene = parse_scene(file);
-        write_image(directory / (std::string(name) + ".png"), render(compile(scene)).image, scene.encoding);
-    }
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: figures_01 DIRECTORY\n";
-        return 2;
-    }
-    const Path directory = argv[1];
+void draw_all(const Path& directory) {
     draw_forward_backward(directory);
     draw_two_loops(directory);
     draw_camera(directory);
@@ -502,5 +460,9 @@ int main(int argc, char** argv) {
     draw_plane(directory);
     draw_flicker(directory);
     draw_up(directory);
-    draw_scenes(directory);
+    draw_scenes(directory, __FILE__, {"directions", "horizon", "orthographic", "planes"});
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return draw_figures(argc, argv, draw_all); }

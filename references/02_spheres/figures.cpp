@@ -1,25 +1,17 @@
 // Figures of chapter 2: the geometry, what cancellation does to a far sphere, what mistakes look like.
 // Usage: figures_02 DIRECTORY
+#include "references/figures.hpp"
 #include "chapters/02_spheres/sphere.hpp"
-#include "common/image/file.hpp"
-#include "common/image/svg.hpp"
-#include "common/render/compile.hpp"
-#include "common/render/render.hpp"
-#include "common/scene/parse.hpp"
 #include "tests/oracle/sphere.hpp"
 #include "tests/stability/naive.hpp"
 #include "tests/support.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <functional>
-#include <vector>
 
 using namespace rt;
-namespace fs = std::filesystem;
+using rt::figures::Path;
 
 namespace {
 
@@ -222,23 +214,20 @@ Image mistakes() {
     const std::vector<Look> looks{mistaken(nearer, false, outward),     mistaken(farther, false, outward),
                                   mistaken(unchecked, false, outward),  mistaken(nearer, false, inward),
                                   mistaken(nearer, false, long_normal), mistaken(nearer, true, outward)};
-    const int width = 160, height = 120, columns = 3, gap = 6;
-    Image image = make_image(columns * (width + gap) - gap, 2 * (height + gap) - gap);
-    for (Vec3& p : image.pixels) p = Vec3(1);
-    for (int i = 0; i < static_cast<int>(looks.size()); ++i)
+    const int width = 160, height = 120;
+    std::vector<Image> images;
+    for (const Look& look : looks) {
+        images.push_back(make_image(width, height));
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 const Vec3 d((x + 0.5 - width / 2) / width, (height / 2 - y - 0.5) / width, -0.9);
-                pixel(image, i % columns * (width + gap) + x, i / columns * (height + gap) + y) =
-                    looks[static_cast<std::size_t>(i)]({Vec3(0), normalize(d)});
+                pixel(images.back(), x, y) = look({Vec3(0), normalize(d)});
             }
-    return image;
+    }
+    return figures::in_rows(images, 3);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    const fs::path out = argc > 1 ? argv[1] : ".";
+void draw_all(const Path& out) {
     write_svg(out / "perpendicular.svg", perpendicular());
     write_svg(out / "four_cases.svg", four_cases());
     write_image(out / "far_sphere.png",
@@ -246,10 +235,9 @@ int main(int argc, char** argv) {
     write_file(out / "far_sphere.csv", far_sphere_errors());
     write_file(out / "small_root.csv", small_root_errors());
     write_image(out / "mistakes.png", mistakes());
-    for (const char* name : {"normals", "inside", "row", "far"}) {
-        Scene scene = parse_scene(fs::path(__FILE__).parent_path() / (std::string(name) + ".scene"));
-        scene.width = 240;
-        scene.height = 180;
-        write_image(out / (std::string(name) + ".png"), render(compile(scene)).image, scene.encoding);
-    }
+    figures::draw_scenes(out, __FILE__, {"normals", "inside", "row", "far"}, 240, 180);
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return figures::draw_figures(argc, argv, draw_all); }

@@ -1,29 +1,18 @@
 // Figures of chapter 3: three inside tests, edge functions, the leak, and what rays and scan conversion cost.
 // Usage: figures_03 DIRECTORY
+#include "references/figures.hpp"
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/03_triangles/triangle.hpp"
-#include "common/image/file.hpp"
-#include "common/image/svg.hpp"
-#include "common/math/input_error.hpp"
-#include "common/render/compile.hpp"
-#include "common/render/render.hpp"
 #include "common/render/scan_convert.hpp"
-#include "common/scene/parse.hpp"
 #include "references/03_triangles/knot.hpp"
 #include "tests/stability/naive.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 #include <ctime>
-#include <filesystem>
-#include <vector>
 
 using namespace rt;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -350,36 +339,25 @@ std::string profile() {
     return csv;
 }
 
+void draw_all(const figures::Path& out) {
+    write_svg(out / "inside_tests.svg", inside_tests());
+    write_svg(out / "shear.svg", shear_figure());
+    write_image(out / "leak.png", leak({naive::intersect, rt::intersect}), Encoding::Srgb);
+    write_image(out / "mistakes.png", mistakes(), Encoding::Srgb);
+
+    const Mesh mesh = knot(60, 10);
+    const std::vector<Triangle> triangles = triangles_of(mesh);
+    const int rays = 20000;
+    write_file(out / "escaped_rays.csv",
+               fmt::format("test,rays,escaped\nMöller–Trumbore,{0},{1}\nwatertight,{0},{2}\n", rays,
+                           escaped(naive::intersect, mesh, triangles, rays),
+                           escaped(rt::intersect, mesh, triangles, rays)));
+
+    figures::draw_scenes(out, __FILE__, {"flat", "smooth", "polygon", "mixed", "uv"});
+    write_file(out / "measured_scan_conversion.csv", scan_conversion());
+    write_file(out / "measured_profile.csv", profile());
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::fputs("usage: figures_03 DIRECTORY\n", stderr);
-        return 2;
-    }
-    try {
-        const fs::path out = argv[1];
-        write_svg(out / "inside_tests.svg", inside_tests());
-        write_svg(out / "shear.svg", shear_figure());
-        write_image(out / "leak.png", leak({naive::intersect, rt::intersect}), Encoding::Srgb);
-        write_image(out / "mistakes.png", mistakes(), Encoding::Srgb);
-
-        const Mesh mesh = knot(60, 10);
-        const std::vector<Triangle> triangles = triangles_of(mesh);
-        const int rays = 20000;
-        write_file(out / "escaped_rays.csv",
-                   fmt::format("test,rays,escaped\nMöller–Trumbore,{0},{1}\nwatertight,{0},{2}\n", rays,
-                               escaped(naive::intersect, mesh, triangles, rays),
-                               escaped(rt::intersect, mesh, triangles, rays)));
-
-        for (const std::string name : {"flat", "smooth", "polygon", "mixed", "uv"}) {
-            const Scene scene = parse_scene(fs::path(__FILE__).parent_path() / (name + ".scene"));
-            write_image(out / (name + ".png"), render(compile(scene)).image, scene.encoding);
-        }
-        write_file(out / "measured_scan_conversion.csv", scan_conversion());
-        write_file(out / "measured_profile.csv", profile());
-    } catch (const InputError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 2;
-    }
-}
+int main(int argc, char** argv) { return figures::draw_figures(argc, argv, draw_all); }

@@ -1,30 +1,19 @@
 // Figures of chapter 4: turning, the stack, normals, spaces, and what goes wrong with long chains and with t.
 // Usage: figures_04 DIRECTORY
+#include "references/figures.hpp"
 #include "chapters/02_spheres/sphere.hpp"
 #include "chapters/04_transforms/instance.hpp"
 #include "chapters/04_transforms/transform.hpp"
-#include "common/image/file.hpp"
-#include "common/image/svg.hpp"
-#include "common/math/input_error.hpp"
-#include "common/render/compile.hpp"
 #include "common/render/explain.hpp"
-#include "common/render/render.hpp"
-#include "common/scene/parse.hpp"
 #include "tests/stability/naive.hpp"
 #include "tests/stability/transforms.hpp"
 #include "tests/support.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <optional>
-#include <string>
-#include <vector>
 
 using namespace rt;
 namespace fs = std::filesystem;
@@ -384,31 +373,18 @@ std::string forest() {
     return csv;
 }
 
+void draw_all(const figures::Path& out) {
+    write_svg(out / "rotation.svg", rotation_figure());
+    write_svg(out / "stack.svg", stack_figure());
+    write_svg(out / "normals.svg", normals_figure());
+    write_svg(out / "spaces.svg", spaces_figure());
+    write_image(out / "faults.png", faults());
+    write_file(out / "drift.csv", drift());
+    write_file(out / "families.csv", families());
+    write_file(out / "measured_forest.csv", forest());
+    figures::draw_scenes(out, __FILE__, {"ellipsoids", "stack", "axes", "instanced", "forest"}, 240, 180);
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::fputs("usage: figures_04 DIRECTORY\n", stderr);
-        return 2;
-    }
-    try {
-        const fs::path out = argv[1];
-        write_svg(out / "rotation.svg", rotation_figure());
-        write_svg(out / "stack.svg", stack_figure());
-        write_svg(out / "normals.svg", normals_figure());
-        write_svg(out / "spaces.svg", spaces_figure());
-        write_image(out / "faults.png", faults());
-        write_file(out / "drift.csv", drift());
-        write_file(out / "families.csv", families());
-        write_file(out / "measured_forest.csv", forest());
-        for (const std::string name : {"ellipsoids", "stack", "axes", "instanced", "forest"}) {
-            Scene scene = parse_scene(fs::path(__FILE__).parent_path() / (name + ".scene"));
-            scene.width = 240;
-            scene.height = 180;
-            write_image(out / (name + ".png"), render(compile(scene)).image, scene.encoding);
-        }
-    } catch (const InputError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 2;
-    }
-}
+int main(int argc, char** argv) { return figures::draw_figures(argc, argv, draw_all); }

@@ -1,42 +1,16 @@
 // Draws the figures of lesson 5 into the directory that it is given.
 // Numbers in the figures are computed here, by the course's own functions where there is one.
+#include "references/figures.hpp"
 #include "chapters/05_lighting/lighting.hpp"
-#include "common/image/file.hpp"
-#include "common/image/svg.hpp"
-#include "common/render/compile.hpp"
-#include "common/render/render.hpp"
-#include "common/scene/parse.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
-#include <iostream>
-#include <string>
-#include <vector>
 
 using namespace rt;
+using namespace rt::figures;
 
 namespace {
 
-using namespace svg_color;
-using Path = std::filesystem::path;
-
 const SvgFont label{.size = 17, .italic = true};
-const SvgFont note{.size = 14, .color = grey};
-const SvgFont heading{.size = 17, .anchor = "middle", .bold = true};
-
-SvgFont colored(SvgFont font, const char* color) {
-    font.color = color;
-    return font;
-}
-SvgFont anchored(SvgFont font, const char* anchor) {
-    font.anchor = anchor;
-    return font;
-}
-
-void dot_at(Svg& svg, Vec2 at, const char* color, Real radius = 5) {
-    circle(svg, at, radius, {.stroke = "none", .fill = color});
-}
 
 /// Unit vector on the page, `degrees` from upwards to the right.
 Vec2 leaning(Real degrees) { return {std::sin(radians(degrees)), -std::cos(radians(degrees))}; }
@@ -235,29 +209,9 @@ void draw_attenuation(const Path& directory) {
 
 // Pictures ----------------------------------------------------------------------------------------------
 
-Scene scene_named(const std::string& name) {
-    return parse_scene(Path(__FILE__).parent_path() / (name + ".scene"));
-}
-
-Image scene_image(const std::string& name) { return render(compile(scene_named(name))).image; }
-
-/// Images beside each other, in rows, with white between them.
-Image in_rows(const std::vector<Image>& images, int columns) {
-    const int gap = 6, width = images[0].width, height = images[0].height;
-    const int rows = static_cast<int>(images.size()) / columns;
-    Image all = make_image(columns * (width + gap) - gap, rows * (height + gap) - gap);
-    for (Vec3& p : all.pixels) p = Vec3(1);
-    for (int i = 0; i < static_cast<int>(images.size()); ++i)
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                pixel(all, i % columns * (width + gap) + x, i / columns * (height + gap) + y) =
-                    pixel(images[static_cast<std::size_t>(i)], x, y);
-    return all;
-}
-
 /// The same light twice: encoded for the screen, and with its numbers written into the file as they are.
 void draw_encoding(const Path& directory) {
-    const Image right = scene_image("encoding");
+    const Image right = render(compile(scene_beside(__FILE__, "encoding"))).image;
     Image wrong = right;
     for (Vec3& p : wrong.pixels)
         for (int i = 0; i < 3; ++i) p[i] = decode(p[i], Encoding::Srgb);
@@ -320,24 +274,16 @@ void draw_mistakes(const Path& directory) {
                         3));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: figures_05 DIRECTORY\n";
-        return 2;
-    }
-    const Path directory = argv[1];
+void draw_all(const Path& directory) {
     draw_cosine(directory);
     draw_vectors(directory);
     draw_exponents(directory);
     draw_attenuation(directory);
     draw_encoding(directory);
     draw_mistakes(directory);
-    for (const char* name : {"lambert", "highlights", "phong", "attenuation", "smooth"}) {
-        Scene scene = scene_named(name);
-        scene.width = 240;
-        scene.height = 180;
-        write_image(directory / (std::string(name) + ".png"), render(compile(scene)).image);
-    }
+    draw_scenes(directory, __FILE__, {"lambert", "highlights", "phong", "attenuation", "smooth"}, 240, 180);
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return draw_figures(argc, argv, draw_all); }

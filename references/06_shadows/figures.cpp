@@ -1,40 +1,19 @@
 // Draws the figures of lesson 6 into the directory that it is given.
 // Numbers in the figures are computed here, by the course's own functions where there is one.
+#include "references/figures.hpp"
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/06_shadows/shadow.hpp"
-#include "common/image/file.hpp"
-#include "common/image/svg.hpp"
-#include "common/render/compile.hpp"
-#include "common/render/render.hpp"
-#include "common/scene/parse.hpp"
 #include "tests/stability/shadows.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <iostream>
-#include <string>
-#include <vector>
-
 using namespace rt;
+using namespace rt::figures;
 
 namespace {
 
-using namespace svg_color;
-using Path = std::filesystem::path;
-
 const SvgFont label{.size = 17, .italic = true};
-const SvgFont note{.size = 14, .color = grey};
-const SvgFont middle{.size = 14, .anchor = "middle"};
-
-SvgFont colored(SvgFont font, const char* color) {
-    font.color = color;
-    return font;
-}
-
-void dot_at(Svg& svg, Vec2 at, const char* color, Real radius = 5) {
-    circle(svg, at, radius, {.stroke = "none", .fill = color});
-}
+const SvgFont caption{.size = 14, .anchor = "middle"};
 
 void cross_at(Svg& svg, Vec2 at, const char* color, Real size = 6) {
     line(svg, at - Vec2(size, size), at + Vec2(size, size), {.stroke = color, .width = 2.5});
@@ -70,10 +49,10 @@ void draw_shadow_ray(const Path& directory) {
     text(svg, {575, 170}, "lit", colored(SvgFont{.size = 14}, green));
     text(svg, {182, 186}, "something", colored(SvgFont{.size = 14}, red));
     text(svg, {182, 204}, "between", colored(SvgFont{.size = 14}, red));
-    text(svg, {640, 84}, "behind the lamp:", colored(middle, grey));
-    text(svg, {640, 101}, "does not matter", colored(middle, grey));
-    text(svg, {dark.x, 281}, "in shadow", middle);
-    text(svg, {lit.x, 281}, "in light", middle);
+    text(svg, {640, 84}, "behind the lamp:", colored(caption, grey));
+    text(svg, {640, 101}, "does not matter", colored(caption, grey));
+    text(svg, {dark.x, 281}, "in shadow", caption);
+    text(svg, {lit.x, 281}, "in light", caption);
     write_svg(directory / "shadow_ray.svg", svg);
 }
 
@@ -101,7 +80,7 @@ void draw_offset(const Path& directory) {
     arrow(svg, point, origin, {.stroke = red, .width = 2.4});
     const Vec2 l = glm::normalize(Vec2(0.9, 0.18));
     arrow(svg, origin, origin + Real(300) * l, {.stroke = green, .width = 2.2});
-    dot_at(svg, point, ink);
+    dot_at(svg, point, ink, 5);
     dot_at(svg, origin, green, 6);
     text(svg, point + Vec2(-66, 6), "point", label);
     text(svg, origin + Vec2(-30, -16), "origin", colored(label, green));
@@ -145,13 +124,6 @@ Image picture(const World& world, Method method) {
     return image;
 }
 
-Scene scene_named(const std::string& name, int width, int height) {
-    Scene scene = parse_scene(Path(__FILE__).parent_path() / (name + ".scene"));
-    scene.width = width;
-    scene.height = height;
-    return scene;
-}
-
 /// Everything that is a length times `factor`; what these scenes do not have is left out.
 void scale(Scene& scene, Real factor) {
     scene.camera.eye *= factor;
@@ -168,22 +140,8 @@ void scale(Scene& scene, Real factor) {
         }
 }
 
-/// Images beside each other, in rows, with white between them.
-Image in_rows(const std::vector<Image>& images, int columns) {
-    const int gap = 6, width = images[0].width, height = images[0].height;
-    const int rows = static_cast<int>(images.size()) / columns;
-    Image all = make_image(columns * (width + gap) - gap, rows * (height + gap) - gap);
-    for (Vec3& p : all.pixels) p = Vec3(1);
-    for (int i = 0; i < static_cast<int>(images.size()); ++i)
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                pixel(all, i % columns * (width + gap) + x, i / columns * (height + gap) + y) =
-                    pixel(images[static_cast<std::size_t>(i)], x, y);
-    return all;
-}
-
 void draw_acne(const Path& directory) {
-    const World world = compile(scene_named("shadows", 192, 144));
+    const World world = compile(scene_beside(__FILE__, "shadows", 192, 144));
     write_image(directory / "acne.png",
                 in_rows({picture(world, naive::shadow_ray_without_offset), picture(world, shadow_ray)}, 2));
 }
@@ -193,7 +151,7 @@ void draw_scales(const Path& directory) {
     std::vector<Image> images;
     for (const Method method : {Method{naive::shadow_ray_with_epsilon}, Method{shadow_ray}})
         for (const Real factor : {2e-5, 1.0, 1e12}) {
-            Scene scene = scene_named("shadows", 144, 108);
+            Scene scene = scene_beside(__FILE__, "shadows", 144, 108);
             scale(scene, factor);
             images.push_back(picture(compile(scene), method));
         }
@@ -228,20 +186,15 @@ void write_methods(const Path& directory) {
     write_file(directory / "methods.csv", csv);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: figures_06 DIRECTORY\n";
-        return 2;
-    }
-    const Path directory = argv[1];
+void draw_all(const Path& directory) {
     draw_shadow_ray(directory);
     draw_offset(directory);
     draw_acne(directory);
     draw_scales(directory);
     write_methods(directory);
-    for (const char* name : {"shadows", "sun", "colored", "transformed", "large_floor"})
-        write_image(directory / (std::string(name) + ".png"),
-                    render(compile(scene_named(name, 240, 180))).image);
+    draw_scenes(directory, __FILE__, {"shadows", "sun", "colored", "transformed", "large_floor"}, 240, 180);
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return draw_figures(argc, argv, draw_all); }

@@ -1,81 +1,20 @@
 // Draws the figures of lesson 7 into the directory that it is given.
 // Numbers in the figures are computed here, by the course's own functions where there is one.
+#include "references/figures.hpp"
 #include "chapters/07_recursion/optics.hpp"
-#include "common/image/file.hpp"
-#include "common/image/svg.hpp"
-#include "common/render/compile.hpp"
-#include "common/render/render.hpp"
 #include "common/render/trace.hpp"
-#include "common/scene/parse.hpp"
 #include "tests/stability/optics.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
-#include <iostream>
-#include <string>
-#include <vector>
 
 using namespace rt;
+using namespace rt::figures;
 
 namespace {
 
-using namespace svg_color;
-using Path = std::filesystem::path;
-
-const SvgFont note{.size = 14, .color = grey};
-const SvgFont small{.size = 13};
-const SvgFont heading{.size = 17, .anchor = "middle", .bold = true};
-
-SvgFont middle(SvgFont font) {
-    font.anchor = "middle";
-    return font;
-}
-SvgFont colored(SvgFont font, const char* color) {
-    font.color = color;
-    return font;
-}
-
-void dot_at(Svg& svg, Vec2 at, const char* color = ink, Real radius = 3.5) {
-    circle(svg, at, radius, {.stroke = "none", .fill = color});
-}
-
-Path scene_file(const std::string& name) { return Path(__FILE__).parent_path() / (name + ".scene"); }
-
 const char* color_of(RayKind kind) {
     return kind == RayKind::Camera ? ink : kind == RayKind::Reflection ? red : blue;
-}
-
-// Axes -------------------------------------------------------------------------------------------------
-
-/// A plot with an axis on which equal factors, or equal differences, are equally long.
-struct Axis {
-    Real low, high;
-    bool logarithmic = false;
-    Real share(Real value) const {
-        return logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
-    }
-};
-struct Plot {
-    Vec2 corner, size;  ///< top left, pixels
-    Axis x, y;
-    Vec2 place(Real a, Real b) const { return corner + Vec2(x.share(a) * size.x, (1 - y.share(b)) * size.y); }
-};
-
-void draw_axes(Svg& svg, const Plot& plot, const std::vector<std::pair<Real, std::string>>& xs,
-               const std::vector<std::pair<Real, std::string>>& ys) {
-    for (const auto& [value, words] : ys) {
-        line(svg, plot.place(plot.x.low, value), plot.place(plot.x.high, value),
-             {.stroke = light, .width = 1});
-        text(svg, plot.place(plot.x.low, value) + Vec2(-8, 5), words, {.size = 13, .anchor = "end"});
-    }
-    for (const auto& [value, words] : xs) {
-        line(svg, plot.place(value, plot.y.low), plot.place(value, plot.y.low) + Vec2(0, 5), {.width = 1});
-        text(svg, plot.place(value, plot.y.low) + Vec2(0, 20), words, middle(small));
-    }
-    line(svg, plot.corner, plot.corner + Vec2(0, plot.size.y));
-    line(svg, plot.corner + Vec2(0, plot.size.y), plot.corner + plot.size);
 }
 
 // The tree of rays -------------------------------------------------------------------------------------
@@ -319,7 +258,7 @@ Real rmse(const Image& image, const Image& truth) {
 
 void measure_termination(const Path& directory) {
     constexpr std::size_t repeats = 9;
-    Scene scene = parse_scene(scene_file("fresnel"));
+    Scene scene = scene_beside(__FILE__, "fresnel");
     scene.width = 160, scene.height = 120;
     // A floor that mirrors makes the trees large.
     for (Material& m : scene.materials)
@@ -405,7 +344,7 @@ void measure_termination(const Path& directory) {
 }
 
 void measure_whitted(const Path& directory) {
-    const World world = compile(parse_scene(scene_file("whitted")));
+    const World world = compile(scene_beside(__FILE__, "whitted"));
     std::string csv = "threads,milliseconds,cpu_milliseconds,rays,million_rays_per_second\n";
     for (const int threads : {1, 2}) {
         std::array<Real, 5> times{};
@@ -432,44 +371,27 @@ void measure_whitted(const Path& directory) {
 
 /// Whitted's scene with 0, 1, 3, 4 and 8 bounces, side by side.
 void draw_depths(const Path& directory) {
-    constexpr int size = 140, gap = 4;
-    const std::array<int, 5> depths{0, 1, 3, 4, 8};
-    Image strip = make_image(5 * size + 4 * gap, size);
-    for (Vec3& p : strip.pixels) p = Vec3(1);
-    for (std::size_t k = 0; k < depths.size(); ++k) {
-        Scene scene = parse_scene(scene_file("whitted"));
-        scene.width = scene.height = size;
-        scene.max_depth = depths[k];
-        const Image image = render(compile(scene)).image;
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x)
-                pixel(strip, static_cast<int>(k) * (size + gap) + x, y) = pixel(image, x, y);
+    std::vector<Image> images;
+    for (const int depth : {0, 1, 3, 4, 8}) {
+        Scene scene = scene_beside(__FILE__, "whitted", 140, 140);
+        scene.max_depth = depth;
+        images.push_back(render(compile(scene)).image);
     }
-    write_image(directory / "depths.png", strip);
+    write_image(directory / "depths.png", in_rows(images, 5, 4));
 }
 
-void draw_scenes(const Path& directory) {
-    for (const char* name : {"whitted", "mirrors", "glass", "neighbours", "fresnel", "tir", "ice"}) {
-        const Scene scene = parse_scene(scene_file(name));
-        write_image(directory / (std::string(name) + ".png"), render(compile(scene)).image, scene.encoding);
-    }
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: figures_07 DIRECTORY\n";
-        return 2;
-    }
-    const Path directory = argv[1];
+void draw_all(const Path& directory) {
     draw_tree(directory);
     draw_snell(directory);
     draw_fresnel(directory);
     draw_cancellation(directory);
     draw_media(directory);
     draw_depths(directory);
-    draw_scenes(directory);
+    draw_scenes(directory, __FILE__, {"whitted", "mirrors", "glass", "neighbours", "fresnel", "tir", "ice"});
     measure_whitted(directory);
     measure_termination(directory);
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return draw_figures(argc, argv, draw_all); }

@@ -57,17 +57,6 @@ Real edge_function(const Vec2& p, const Vec2& q) {
     // [/exercise]
 }
 
-namespace {
-
-/// All that the watertight test needs of a ray.
-struct ShearedRay {
-    Vec3 origin{0};
-    /// Renames the coordinates, so that the direction's greatest one becomes z, and shears the others so that
-    /// the direction's x and y become 0: to this map the ray is the z axis.
-    Mat3 to_z_axis{1};
-    Real direction_z = 1;  ///< the direction's greatest coordinate, with its sign
-};
-
 ShearedRay shear(const Ray& ray) {
     // [exercise 03.4] Let z be the axis in which |direction| is greatest, x and y the next two in cyclic
     // order. The map has the rows x − (d.x/d.z)·z, y − (d.y/d.z)·z and z; a matrix of GLM is indexed
@@ -114,8 +103,6 @@ std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, In
     return Hit{.t = t, .uv = {v / sum, w / sum}};
     // [/exercise]
 }
-
-}  // namespace
 
 std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval range) {
     return intersect(triangle, shear(ray), range);

@@ -76,7 +76,7 @@ TEST_CASE("unknown commands and options get a suggestion") {
 }
 
 TEST_CASE("commands that come with later chapters are not offered") {
-    for (const char* later : {"report", "grade", "handout"}) {
+    for (const char* later : {"grade", "handout"}) {
         INFO("command := " << later);
         CHECK(course(later).status == 2);
         CHECK(course("--help").out.find(std::string("\n  ") + later) == std::string::npos);
@@ -98,8 +98,9 @@ TEST_CASE("a command line that lacks something is refused in one line") {
 TEST_CASE("every command has help with an example") {
     const Outcome all = course("--help");
     CHECK(all.status == 0);
-    for (const char* command : {"tour", "test", "list", "check", "hint", "reset", "solution", "render",
-                                "compare", "explain", "export", "references", "exercises", "figures"}) {
+    for (const char* command :
+         {"tour", "test", "list", "check", "hint", "reset", "solution", "render", "compare", "explain",
+          "export", "report", "references", "exercises", "figures"}) {
         INFO("command := " << command);
         CHECK(all.out.find(std::string("\n  ") + command) != std::string::npos);
         const Outcome help = course(std::string(command) + " --help");
@@ -132,11 +133,13 @@ TEST_CASE("render writes what the scene says, and JSON in the documented form") 
     INFO(outcome.errors);
     REQUIRE(outcome.status == 0);
     const json object = json::parse(outcome.out);
-    CHECK(keys(object) == Keys{"cpu_seconds", "height", "left_out", "output", "rays", "rms_error",
-                               "samples_per_pixel", "seconds", "width"});
+    CHECK(keys(object) == Keys{"cpu_seconds", "height", "left_out", "output", "random_numbers", "rays",
+                               "rms_error", "samples_per_pixel", "seconds", "width"});
     CHECK(object["output"] == "ball.pfm");
     CHECK(object["width"] == 16);
     CHECK(object["rms_error"].is_null());
+    CHECK(object["samples_per_pixel"] == 1);
+    CHECK(object["random_numbers"] == 0);
     CHECK(object["rays"]["camera"] == 16 * 8);
     CHECK(object["left_out"].is_array());
     const Image image = read_image(in_scratch("ball.pfm"));
@@ -146,6 +149,34 @@ TEST_CASE("render writes what the scene says, and JSON in the documented form") 
     std::filesystem::remove(in_scratch("ball.png"));
     CHECK(course("render ball.scene --solutions --quiet").errors.empty());
     CHECK(std::filesystem::exists(in_scratch("ball.png")));
+}
+
+TEST_CASE("render takes samples until there are enough, the error is small or time is over") {
+    write_scene("edge.scene", "integrator flat\nambient 1 0 0\nsphere 0 0 0 1\n");
+    const auto rendered = [](const std::string& options) {
+        const Outcome outcome =
+            course("render edge.scene --solutions --json -o edge.pfm --size 40x30 " + options);
+        INFO(outcome.errors);
+        REQUIRE(outcome.status == 0);
+        return json::parse(outcome.out);
+    };
+    const json given = rendered("--spp 9");
+    CHECK(given["samples_per_pixel"] == 9);
+    CHECK(given["rms_error"].get<double>() > 0);
+    const std::string one = read_file(in_scratch("edge.pfm"));
+    rendered("--spp 9 --seed 1");
+    CHECK(read_file(in_scratch("edge.pfm")) != one);
+    rendered("--spp 9 --seed 0");
+    CHECK(read_file(in_scratch("edge.pfm")) == one);
+    CHECK(rendered("--error 0.01")["rms_error"].get<double>() <= 0.01);
+    CHECK(rendered("--seconds 0.02")["samples_per_pixel"].get<double>() > 1);
+    CHECK(course("render edge.scene --solutions --spp 9 -o edge.pfm")
+              .errors.find("9 samples a pixel, RMS error about ") != std::string::npos);
+
+    check_refused("render edge.scene --spp 4 --error 0.1",
+                  "--spp excludes --error (./course render --help shows how)");
+    check_refused("render edge.scene --integrator rasterize --seconds 1",
+                  "--seconds and --error: scan conversion takes one sample a pixel, and is done then");
 }
 
 TEST_CASE("the same picture comes out with any number of threads") {

@@ -233,3 +233,18 @@ TEST_CASE("a scene's opening comment is one paragraph", "[tour]") {
     CHECK(opening_comment("# no end") == "no end");
     CHECK(opening_comment("") == "");
 }
+
+TEST_CASE("a picture of random samples must differ from its reference as much as it says", "[tour]") {
+    Image image = halves();
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] += Vec3(i % 2 == 0 ? 0.01 : -0.01);
+    const Verdict right = judge_samples(image, halves(), 0.01);
+    CHECK(right.passed);
+    REQUIRE(right.ratio.has_value());
+    CHECK(std::abs(*right.ratio - 1) < 1e-9);
+    CHECK(judge_samples(image, halves(), 0.0067).passed);
+    CHECK_FALSE(judge_samples(image, halves(), 0.0066).passed);  // it is worse than it says,
+    CHECK_FALSE(judge_samples(image, halves(), 0.0151).passed);  // or better
+    CHECK_FALSE(judge_samples(image, halves(), 0).passed);
+    CHECK_FALSE(judge_samples(halves(), halves(), 0).passed);  // NaN
+    CHECK_THROWS_AS(judge_samples(image, make_image(width, height + 1), 0.01), InputError);
+}

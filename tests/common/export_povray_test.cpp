@@ -286,3 +286,25 @@ TEST_CASE("every reference scene is exported, to the same text each time", "[exp
     }
     CHECK(count >= 9);  // three chapters with three scenes each
 }
+
+TEST_CASE("how POV-Ray makes a picture of several samples a pixel", "[export]") {
+    const auto run = [](const std::string& text) {
+        return povray_run(parse_scene_text("camera 0 0 5 0 0 0 0 1 0 45\n" + text, "s"));
+    };
+    CHECK(run("").scale == 1);
+    CHECK(run("").options.empty());
+    CHECK(run("sampler random").exact);
+    CHECK(run("spp 9\nsampler regular\nfilter tent").scale == 3);
+    CHECK(run("spp 9\nsampler regular").exact);
+    CHECK(
+        (run("spp 25\nsampler trapezoid").options == std::vector<std::string>{"+AM2", "+A0.0", "+R3", "-J"}));
+    CHECK(
+        (run("spp 10\nsampler centered").options == std::vector<std::string>{"+AM1", "+A0.0", "+R3", "-J"}));
+    // What POV-Ray cannot repeat: its mean is known from other samples.
+    for (const char* text : {"spp 8\nsampler regular", "spp 16\nsampler trapezoid", "spp 9\nsampler centered",
+                             "spp 16", "spp 9\nsampler trapezoid\nfilter tent", "spp 4\nsampler poisson"}) {
+        INFO(text);
+        CHECK_FALSE(run(text).exact);
+        CHECK(run(text).scale == 8);
+    }
+}

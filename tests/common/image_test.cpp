@@ -570,5 +570,21 @@ TEST_CASE("of writers at the same time one wins whole") {
     CHECK(directory.count() == 1);
 }
 
+TEST_CASE("16-bit PNG keeps linear light to half a step", "[image]") {
+    Image image = make_image(37, 5);
+    test::Random random(3);
+    for (Vec3& p : image.pixels) p = Vec3(0.5) + random.in_cube() / Real(2);
+    image.pixels[0] = {-1, 2, 0.5};
+    const std::string path = rt::test::scratch_directory() + "/sixteen.png";
+    write_png16(path, image);
+    const Image back = read_image(path);
+    REQUIRE(back.width == 37);
+    REQUIRE(back.height == 5);
+    CHECK((back.pixels[0] == Vec3(0, 1, 32768 / Real(65535))));
+    for (std::size_t i = 1; i < image.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            CHECK(std::abs(back.pixels[i][c] - image.pixels[i][c]) <= 0.5 / 65535 * (1 + 1e-9));
+}
+
 }  // namespace
 }  // namespace rt

@@ -115,6 +115,12 @@ const std::map<std::string, Example>& examples() {
         {"ior", {"ior 1.5", ""}},
         {"fresnel", {"fresnel schlick", ""}},
         {"absorption", {"absorption .1 .2 .3", ""}},
+        {"spp", {"spp 16", ""}},
+        {"sampler", {"sampler poisson", ""}},
+        {"adaptive", {"adaptive on", ""}},
+        {"filter", {"filter tent", ""}},
+        {"seed", {"seed 3", ""}},
+        {"accelerator", {"accelerator none", ""}},
     };
     return map;
 }
@@ -660,4 +666,36 @@ TEST_CASE("the edit distance counts inserted, deleted, replaced and swapped lett
     CHECK(edit_distance("abc", "axc") == 1);
     CHECK(edit_distance("abc", "acb") == 1);
     CHECK(edit_distance("kitten", "sitting") == 3);
+}
+
+TEST_CASE("the commands of chapters 8 and 9", "[parse]") {
+    const Scene plain = parse("");
+    CHECK(plain.sampling.count == 1);
+    CHECK(plain.sampling.filter.kind == FilterKind::Box);
+    CHECK(plain.sampling.filter.radius == 0.5);
+    CHECK(plain.accelerator == Accelerator::Auto);
+
+    const Scene scene =
+        parse("spp 16\nsampler random\nadaptive on\nfilter mitchell\nseed 12\naccelerator nested");
+    CHECK(scene.sampling.count == 16);
+    CHECK(scene.sampling.sampler == Sampler::Random);
+    CHECK(scene.sampling.adaptive);
+    CHECK(scene.sampling.filter.kind == FilterKind::Mitchell);
+    CHECK(scene.sampling.filter.radius == 2);
+    CHECK(scene.sampling.seed == 12);
+    CHECK(scene.accelerator == Accelerator::Nested);
+    CHECK(parse("sampler trapezoid").sampling.sampler == Sampler::Trapezoid);
+    CHECK(parse("sampler centered").sampling.sampler == Sampler::Centered);
+    CHECK(parse("filter gaussian").sampling.filter.radius == 1.5);
+    CHECK(parse("accelerator grid").accelerator == Accelerator::Grid);
+
+    CHECK(error_of("spp 0") == "s:1:5: the number of samples must be from 1 to 65536, not 0");
+    CHECK(error_of("spp 2.5").starts_with("s:1:5: '2.5' is not a whole number"));
+    CHECK(error_of("seed -1").starts_with("s:1:6: the seed must be from 0 to"));
+    CHECK(error_of("sampler jitered").find("did you mean 'jittered'?") != std::string::npos);
+    CHECK(error_of("accelerator bvh").starts_with("s:1:13: 'bvh' is not a known accelerator"));
+    // Some patterns have a given number of samples; the command's own place is told, wherever the other
+    // stands.
+    CHECK(error_of("\nadaptive on\nsampler poisson").starts_with("s:2:1: 'adaptive on' needs"));
+    CHECK(error_of("sampler regular\nadaptive on\nadaptive off").empty());
 }

@@ -68,7 +68,9 @@ std::string text(const Vec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z);
 std::string text(const Sphere& s) { return fmt::format("sphere {} {}\n", text(s.center), s.radius); }
 std::string text(const Plane& p) { return fmt::format("plane {} {}\n", text(p.point), text(p.normal)); }
 
-const std::string head = "size 64 48\ncamera 0 1 6 0 0 0 0 1 0 40\n";
+const std::string base = "size 64 48\ncamera 0 1 6 0 0 0 0 1 0 40\n";
+// The minimal renderers ask every shape, so what they are compared with does too.
+const std::string head = base + "accelerator none\n";
 const std::string red = "ambient .125 .0625 .0625\ndiffuse .75 .25 .25\n";
 const std::string blue = "ambient .0625 .0625 .125\ndiffuse .25 .25 .75\n";
 
@@ -335,6 +337,21 @@ std::vector<Case> cases() {
          .with_feature = head + "integrator normals\n" + sheet_text(true),
          .minimal = normals_of_sheet,
          .bytes = memory(sheet, 2)},
+        {.feature = "several samples a pixel, random numbers",
+         .scene = head + balls_text(),
+         .with_feature = head + "spp 4\n" + balls_text(),
+         .minimal = glowing_balls,
+         .bytes = memory(balls, 2)},
+        {.feature = "wide filters",
+         .scene = head + lamp_text + balls_text(),
+         .with_feature = head + "filter tent\n" + lamp_text + balls_text(),
+         .minimal = balls_by_lamp,
+         .bytes = memory(balls, 2, 1)},
+        {.feature = "grids: too few shapes",
+         .scene = base + red + text(ball[0]),
+         .with_feature = base + "accelerator grid\n" + red + text(ball[0]),
+         .minimal = glowing_ball,
+         .bytes = memory(ball, 1)},
         {.feature = "texture coordinates",
          .scene = head + "integrator normals\n" + balls_text(),
          .with_feature = head + "integrator uv\n" + balls_text(),

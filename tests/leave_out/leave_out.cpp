@@ -5,11 +5,13 @@
 #include "common/app/process.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/explain.hpp"
+#include "common/render/sampled.hpp"
 #include "common/render/shade.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/leave_out/cases.hpp"
 
 #include <fmt/core.h>
+#include <tbb/task_arena.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -20,7 +22,14 @@
 /// The part of the program that is counted. Its name is the one that valgrind is told.
 extern "C" [[gnu::noinline]] void leave_out_draw(const rt::World& world, rt::RayColor color,
                                                  std::vector<rt::Vec3>& colors) {
-    colors = rt::render_tile(world, {0, 0, world.view.width, world.view.height}, color);
+    if (!world.needs.samples) {
+        colors = rt::render_tile(world, {0, 0, world.view.width, world.view.height}, color);
+        return;
+    }
+    rt::RenderResult result;
+    tbb::task_arena(1).execute([&] { rt::render_sampled(world, {}, result); });
+    colors = std::move(result.image.pixels);
+    rt::ray_counts() = result.rays;
 }
 
 namespace rt::test {

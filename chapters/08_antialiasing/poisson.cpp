@@ -1,0 +1,67 @@
+// Samples that keep their distance: Poisson disk patterns by dart throwing.
+#include "chapters/08_antialiasing/samples.hpp"
+
+#include "common/math/todo.hpp"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+/// The darts that stick in the torus, in side × side cells that are wide enough for this: what is near a
+/// point lies in its cell or in one of the eight around it.
+struct DartBoard {
+    int side = 1;
+    std::vector<std::vector<Vec2>> cells;
+};
+
+[[maybe_unused]] DartBoard board_for(Real distance) {
+    const int side = std::max(1, static_cast<int>(1 / distance));
+    return {side, std::vector<std::vector<Vec2>>(static_cast<std::size_t>(side * side))};
+}
+
+/// Index of the cell (x, y), where −1 and `side` are the cells across the edge.
+[[maybe_unused]] std::size_t cell_index(const DartBoard& board, int x, int y) {
+    const int column = (x + board.side) % board.side, row = (y + board.side) % board.side;
+    return static_cast<std::size_t>(row * board.side + column);
+}
+
+[[maybe_unused]] void insert(DartBoard& board, const Vec2& dart) {
+    const int x = static_cast<int>(dart.x * board.side), y = static_cast<int>(dart.y * board.side);
+    board.cells[cell_index(board, x, y)].push_back(dart);
+}
+
+/// Whether one of the darts is nearer to `point` than `distance`, which is not greater than in board_for.
+[[maybe_unused]] bool has_near(const DartBoard& board, const Vec2& point, Real distance) {
+    const int x = static_cast<int>(point.x * board.side), y = static_cast<int>(point.y * board.side);
+    for (int row = y - 1; row <= y + 1; ++row) {
+        for (int column = x - 1; column <= x + 1; ++column) {
+            for (const Vec2& other : board.cells[cell_index(board, column, row)]) {
+                if (torus_distance(point, other) < distance) return true;
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+Real torus_distance(const Vec2& a, const Vec2& b) {
+    const Vec2 d = glm::abs(a - b);
+    return glm::length(glm::min(d, Real(1) - d));
+}
+
+PoissonDisk poisson_disk_samples(int count, Random random) {
+    // 08.3  A single sample may lie anywhere: return one random_point and the distance ∞. For more,
+    // begin with the distance 0.7 √(2/(√3·count)) and throw darts by random_point(random) until there are
+    // `count` samples. A dart nearer than the distance to a sample, by torus_distance, is refused; each
+    // other one is a sample of weight 1/count. When 32·count darts in a row were refused, multiply the
+    // distance by 0.95, and count anew. With `board_for`, `has_near` and `insert` above a dart need not be
+    // compared with all samples.
+    return todo("08.3");
+}
+
+}  // namespace rt

@@ -1,0 +1,44 @@
+// Axis-aligned boxes: around shapes, and where a ray runs through one.
+#pragma once
+
+#include "common/math/ray.hpp"
+#include "common/scene/grid.hpp"
+#include "common/scene/world.hpp"
+
+#include <optional>
+
+namespace rt {
+
+/// [09.1] The smallest box around the shape, up to rounding; the grid's margin covers that.
+Bounds bounds_of(const Sphere& sphere);
+/// [09.1] The same.
+Bounds bounds_of(const Triangle& triangle);
+/// The same, also around the plane of a polygon that is flat only up to rounding. Given.
+Bounds bounds_of(const Polygon& polygon);
+/// [09.1] The same: along each axis the unit sphere's image reaches as far from its centre as the matching
+/// row of the matrix is long.
+Bounds bounds_of(const Ellipsoid& ellipsoid);
+/// A box around the instance: around the image of its mesh's bounding sphere. Given.
+Bounds bounds_of(const Instance& instance, const SharedMesh& mesh);
+
+/// How much more rounding moves a point that goes to local space and back than one that stays: the greatest
+/// sum along a row of |M|·|M⁻¹|. 1 for a map that only moves and stretches along the axes, at most 3 with a
+/// rotation of the result, and large where a rotated shape is stretched. Given.
+Real distortion_of(const Transform& transform);
+
+/// The smallest box around both. Given.
+Bounds merge(const Bounds& a, const Bounds& b);
+
+/// The box with every face moved out by `by`. Given.
+Bounds grown(const Bounds& box, Real by);
+
+/// [09.2] The part of the ray inside the box, or nothing if that is empty (Kay & Kajiya 1986).
+///
+/// The box is closed: a ray along a face, an edge, or through a corner is inside there. A direction of ±0
+/// along some axis is right too: such a ray is inside that pair of planes everywhere or nowhere. The result
+/// contains every t in [range.min, range.max] whose exact point lies in the box, short of overflow: each
+/// computed distance is widened by gamma(3), its two roundings and one more for the widening (Ize 2013). An
+/// empty box is always missed.
+std::optional<Interval> clip(const Bounds& box, const Ray& ray, Interval range);
+
+}  // namespace rt

@@ -1,0 +1,269 @@
+// Building a grid: how many cells, and which shapes may be met in which.
+#include "chapters/09_grids/build.hpp"
+
+#include "common/math/todo.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rt {
+namespace {
+
+/// What all the grids inside one another have in common.
+struct Task {
+    std::span<const Bounds> bounds;
+    const Overlaps& overlaps;
+    const GridOptions& options;
+    Real margin;
+    Real reach;
+};
+
+/// The cells from `low` up to and including `high`.
+struct Block {
+    Cells low;
+    Cells high;
+};
+
+std::size_t size_of(const Cells& cells) {
+    return static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y) *
+           static_cast<std::size_t>(cells.z);
+}
+
+std::uint32_t number_of(const GridShape& shape, const Cells& cell) {
+    return static_cast<std::uint32_t>((cell.z * shape.cells.y + cell.y) * shape.cells.x + cell.x);
+}
+
+bool is_empty(const Bounds& box) {
+    return !(box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z);
+}
+
+Real longest_edge(const Bounds& box) {
+    const Vec3 edges = box.high - box.low;
+    return std::max({edges.x, edges.y, edges.z});
+}
+
+/// The cells that the box reaches into, up to two margins away.
+Block block_around(const GridShape& shape, const Bounds& box, Real margin) {
+    const Vec3 per_length = Vec3(shape.cells) / (shape.box.high - shape.box.low);
+    const auto cell_at = [&](const Vec3& point) {
+        const Vec3 place = (point - shape.box.low) * per_length;
+        Cells cell(0);
+        for (int a = 0; a < 3; ++a)
+            if (place[a] > 0)
+                cell[a] = static_cast<int>(std::min(place[a], static_cast<Real>(shape.cells[a] - 1)));
+        return cell;
+    };
+    return {cell_at(box.low - 2 * margin), cell_at(box.high + 2 * margin)};
+}
+
+/// Appends to `numbers` those of the cells in the block whose box, grown by the margin, shape i overlaps.
+/// Returns how many there are.
+std::size_t list_cells(const Task& task, const GridShape& shape, std::uint32_t i, const Block& block,
+                       std::vector<std::uint32_t>& numbers) {
+    // 09.5  A loop over all the cells of the block is enough to be right. To be fast, too, ask
+    // task.overlaps(i, box) about the box of a large block first, grown by two margins to be on the safe
+    // side; where the answer is no, none of its cells is asked about. A block in which the shape may be is
+    // cut in two across its longest edge, and each half is listed in the same way.
+    return todo("09.5");
+}
+
+/// The grid of this shape over these of the shapes, without inner grids; nothing as soon as its cells list
+/// more than `most`.
+std::optional<Grid> flat_grid(const Task& task, const GridShape& shape, std::span<const std::uint32_t> shapes,
+                              std::size_t most) {
+    std::vector<std::uint32_t> numbers;  // the cells of the first shape, then those of the second, ...
+    std::vector<std::uint32_t> ends;     // where in `numbers` those of each shape end
+    numbers.reserve(2 * shapes.size());
+    ends.reserve(shapes.size());
+    for (const std::uint32_t i : shapes) {
+        const Block block = block_around(shape, task.bounds[i], task.margin);
+        // Most shapes are much smaller than the grid: there is no doubt about the only cell around one.
+        if (block.low == block.high)
+            numbers.push_back(number_of(shape, block.low));
+        else
+            list_cells(task, shape, i, block, numbers);
+        if (numbers.size() > most) return std::nullopt;
+        ends.push_back(static_cast<std::uint32_t>(numbers.size()));
+    }
+
+    Grid grid;
+    grid.shape = shape;
+    grid.reach = task.reach;
+    // 09.5  Fill in grid.first and grid.items, in two passes. The first counts how many shapes each
+    // cell gets; the sums of these counts up to each cell say where its part of `items` ends. The second goes
+    // through the shapes from the last to the first, and puts each in front of what its cells have already:
+    // when it is through, the place where a part ended has become the place where it starts, and the shapes
+    // of each cell are ascending. `first` has one number more than there are cells.
+    return todo("09.5");
+    return grid;
+}
+
+/// As many cells as the options ask for, but none thinner than 16 margins.
+GridShape shape_for(const Task& task, const Bounds& box, std::size_t count) {
+    GridShape shape{box, grid_resolution(box, count, task.options.density)};
+    const Vec3 most = glm::floor((box.high - box.low) / (16 * task.margin));
+    for (int a = 0; a < 3; ++a)
+        if (most[a] < shape.cells[a]) shape.cells[a] = most[a] > 1 ? static_cast<int>(most[a]) : 1;
+    return shape;
+}
+
+/// Gives crowded cells grids of their own, as long as there are not more than options.depth inside each
+/// other; `depth` is how many there are around the cells. Returns how many cells got one.
+std::size_t refine(const Task& task, Grid& grid, int depth) {
+    if (depth >= task.options.depth) return 0;
+    const std::size_t cells = size_of(grid.shape.cells);
+    std::uint32_t kept = 0, begin = 0;
+    for (std::uint32_t number = 0; number < cells; ++number) {
+        const std::uint32_t end = grid.first[number + 1];
+        const std::span<const std::uint32_t> shapes{grid.items.data() + begin, end - begin};
+        std::optional<Grid> inner;
+        // 09.5  Where there are more than task.options.crowd shapes in the cell, make `inner` the
+        // flat grid over them with at most 4 · (number of shapes) entries. Its box is what the cell and the
+        // box around the bounds of its shapes, each grown by the margin, have in common; shape_for gives its
+        // cells. Where that lists more, try with half as many cells along each axis. With one cell it would
+        // be of no use: leave it out. The inner grid may have crowded cells, too.
+        return todo("09.5");
+        grid.first[number] = kept;
+        if (inner) {
+            grid.inner.resize(cells);
+            grid.grids.push_back(std::move(*inner));
+            grid.inner[number] = static_cast<std::uint32_t>(grid.grids.size());
+        } else {
+            std::copy(shapes.begin(), shapes.end(), grid.items.begin() + kept);
+            kept += end - begin;
+        }
+        begin = end;
+    }
+    grid.first[cells] = kept;
+    grid.items.resize(kept);
+    if (!grid.grids.empty()) grid.items.shrink_to_fit();
+    return grid.grids.size();
+}
+
+/// The grid over shapes of one kind.
+template <class Shape>
+Grid grid_over(std::span<const Shape> shapes, const GridOptions& options) {
+    std::vector<Bounds> bounds;
+    bounds.reserve(shapes.size());
+    for (const Shape& shape : shapes) bounds.push_back(bounds_of(shape));
+    return build_grid(
+        bounds, [&](std::uint32_t i, const Bounds& box) { return overlaps(shapes[i], box); }, options);
+}
+
+/// The grid over shapes of which only the bounds are known.
+Grid grid_over_bounds(std::span<const Bounds> bounds, const GridOptions& options) {
+    return build_grid(
+        bounds, [&](std::uint32_t i, const Bounds& box) { return overlaps(bounds[i], box); }, options);
+}
+
+}  // namespace
+
+Cells grid_resolution(const Bounds& box, std::size_t count, Real density, int most) {
+    // 09.3  With cubes of edge s, axis a has edge_a/s cells. s follows from the number of all
+    // cells, density · count: where k axes share the cells, the number along axis a is the k-th root of
+    // density · count times the ratios edge_a/edge_b to the edges of the k axes. Start with the axes that
+    // have an edge > 0. If that leaves the shortest of them less than one cell, it gets one, and the others
+    // share again. Round to whole numbers, at least 1 and at most `most`.
+    return todo("09.3");
+}
+
+Bounds cell_box(const GridShape& shape, const Cells& cell) {
+    const Vec3 size = (shape.box.high - shape.box.low) / Vec3(shape.cells);
+    return {shape.box.low + Vec3(cell) * size, shape.box.low + Vec3(cell + 1) * size};
+}
+
+bool overlaps(const Sphere& sphere, const Bounds& box) {
+    // 09.4  Measured from the centre, the box reaches from low to high; along each axis find the
+    // nearest place to 0 between them, and the farthest. Compare squares of distances: no root is needed.
+    // Only the surface counts: a box that is wholly inside the sphere does not overlap.
+    return todo("09.4");
+}
+
+bool overlaps(const Triangle& triangle, const Bounds& box) {
+    // 09.4  Two convex things are apart where along some axis all of one lies beyond all of the
+    // other, and for a triangle and a box thirteen axes are enough. Measure from the box's centre, with h
+    // half of its edges: along `axis` the box reaches as far as dot(h, abs(axis)) to both sides, and the
+    // triangle from the least to the greatest of dot(axis, corner). Project all three corners, also where two
+    // would give the same without rounding: then any axis is right that says they are apart. Ask the axes
+    // first that part most.
+    return todo("09.4");
+}
+
+bool overlaps(const Bounds& shape, const Bounds& box) {
+    return shape.low.x <= box.high.x && shape.low.y <= box.high.y && shape.low.z <= box.high.z &&
+           box.low.x <= shape.high.x && box.low.y <= shape.high.y && box.low.z <= shape.high.z;
+}
+
+Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const GridOptions& options) {
+    Bounds around;
+    std::vector<std::uint32_t> shapes;  // those that have a point
+    shapes.reserve(bounds.size());
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        if (is_empty(bounds[i])) continue;
+        around = merge(around, bounds[i]);
+        shapes.push_back(static_cast<std::uint32_t>(i));
+    }
+    if (shapes.empty()) {
+        Grid grid;
+        grid.shape.box = around;
+        grid.first = {0, 0};
+        return grid;
+    }
+
+    const Real edge = longest_edge(around);
+    const Vec3 coordinates = glm::max(glm::abs(around.low), glm::abs(around.high));
+    const Real greatest = std::max({coordinates.x, coordinates.y, coordinates.z});
+    const Task task{.bounds = bounds,
+                    .overlaps = overlaps,
+                    .options = options,
+                    .margin = options.distortion * (0x1p-30 * edge + 0x1p-44 * greatest),
+                    .reach = 0x1p16 * edge};
+    GridShape shape = shape_for(task, grown(around, task.margin), shapes.size());
+    std::optional<Grid> grid;
+    while (!(grid = flat_grid(task, shape, shapes, 32 * shapes.size()))) shape.cells = (shape.cells + 1) / 2;
+    if (options.nested) refine(task, *grid, 1);
+    return std::move(*grid);
+}
+
+Grid build_grid(std::span<const Sphere> shapes, const GridOptions& options) {
+    return grid_over(shapes, options);
+}
+
+Grid build_grid(std::span<const Triangle> shapes, const GridOptions& options) {
+    return grid_over(shapes, options);
+}
+
+Grid build_grid(std::span<const Polygon> shapes, const GridOptions& options) {
+    std::vector<Bounds> bounds;
+    for (const Polygon& shape : shapes) bounds.push_back(bounds_of(shape));
+    return grid_over_bounds(bounds, options);
+}
+
+Grid build_grid(std::span<const Ellipsoid> shapes, GridOptions options) {
+    std::vector<Bounds> bounds;
+    for (const Ellipsoid& shape : shapes) {
+        bounds.push_back(bounds_of(shape));
+        options.distortion = std::max(options.distortion, distortion_of(shape.transform));
+    }
+    return grid_over_bounds(bounds, options);
+}
+
+Grid build_grid(std::span<const Instance> shapes, std::span<const SharedMesh> meshes, GridOptions options) {
+    std::vector<Bounds> bounds;
+    for (const Instance& shape : shapes) {
+        bounds.push_back(bounds_of(shape, meshes[shape.mesh]));
+        options.distortion = std::max(options.distortion, distortion_of(shape.transform));
+    }
+    return grid_over_bounds(bounds, options);
+}
+
+std::size_t bytes_of(const Grid& grid) {
+    std::size_t bytes =
+        sizeof(Grid) +
+        sizeof(std::uint32_t) * (grid.first.capacity() + grid.items.capacity() + grid.inner.capacity());
+    for (const Grid& inner : grid.grids) bytes += bytes_of(inner);
+    return bytes;
+}
+
+}  // namespace rt

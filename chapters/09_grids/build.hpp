@@ -1,0 +1,69 @@
+// Building a grid: how many cells, and which shapes may be met in which.
+#pragma once
+
+#include "chapters/09_grids/bounds.hpp"
+
+#include <functional>
+#include <span>
+
+namespace rt {
+
+/// [09.3] Numbers of cells for `count` shapes in the box: about density · count cells that are as nearly
+/// cubes as possible, each number at least 1 and at most `most`. An axis along which the box is thinner than
+/// a cell gets one cell, and the others are shared out anew. Only ratios of the box's edges are used, so that
+/// a box scaled by a power of two gets the same cells. A box that is a point, or empty, gets one cell.
+Cells grid_resolution(const Bounds& box, std::size_t count, Real density, int most = 1024);
+
+/// The box of one cell. Given: low + i · (high − low)/cells, as the walk computes it.
+Bounds cell_box(const GridShape& shape, const Cells& cell);
+
+/// [09.4] Whether some point of the sphere's surface may lie in the box: no where the nearest point of the
+/// box is farther from the centre than the radius, or the farthest nearer. May say yes wrongly by rounding
+/// only; with a box that was grown by more than rounding it never says no wrongly.
+bool overlaps(const Sphere& sphere, const Bounds& box);
+/// [09.4] Whether some point of the triangle may lie in the box, by separating axes: the box's three, the
+/// triangle's normal, and the nine cross products of their edges (Akenine-Möller 2001).
+bool overlaps(const Triangle& triangle, const Bounds& box);
+/// Whether the bounds of the shape meet the box. Given.
+bool overlaps(const Bounds& shape, const Bounds& box);
+
+/// What a grid is to be made like.
+struct GridOptions {
+    Real density = 4;    ///< cells a shape
+    bool nested = true;  ///< cells with more than `crowd` shapes get grids of their own
+    int crowd = 16;
+    int depth = 4;        ///< at most so many grids inside each other, the outermost counted
+    Real distortion = 1;  ///< the greatest of the shapes' transforms: the margin is multiplied by it
+};
+
+/// Whether shape number i may be met in a box.
+using Overlaps = std::function<bool(std::uint32_t, const Bounds&)>;
+
+/// [09.5] The grid over shapes with these bounds.
+///
+/// The margin is 2^-30 of the longest edge of the box around all, and 2^-44 of its greatest coordinate, times
+/// `options.distortion`; `reach` is 2^16 longest edges. The grid's box is that box grown by the margin; a
+/// shape is entered into a cell if it overlaps the cell grown by the margin. Shapes without a point (empty
+/// bounds) are in no cell. No cell is thinner than 16 margins. While the cells list more than 8 · density
+/// times as many shapes as there are (all may be in the same place), there are half as many cells along each
+/// axis.
+///
+/// A cell with more than `crowd` shapes gets an inner grid, over the part of the cell that the bounds of its
+/// shapes take up, with the outermost grid's margin and reach (Jevans & Wyvill 1989). While its cells list
+/// more than four times as many shapes as it has, or an average cell more than a quarter of them, it gets
+/// half as many cells along each axis; with one cell only it would not separate the shapes, and there is
+/// none.
+Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const GridOptions& options = {});
+
+/// The grid over these shapes; `options.distortion` is worked out. Given.
+Grid build_grid(std::span<const Sphere> shapes, const GridOptions& options = {});
+Grid build_grid(std::span<const Triangle> shapes, const GridOptions& options = {});
+Grid build_grid(std::span<const Polygon> shapes, const GridOptions& options = {});
+Grid build_grid(std::span<const Ellipsoid> shapes, GridOptions options = {});
+Grid build_grid(std::span<const Instance> shapes, std::span<const SharedMesh> meshes,
+                GridOptions options = {});
+
+/// Bytes that the grid and the grids in it take. Given.
+std::size_t bytes_of(const Grid& grid);
+
+}  // namespace rt

@@ -1,0 +1,38 @@
+// How a scene's pixels are sampled: how many rays, where they lie, and how their colours are weighed.
+#pragma once
+
+#include "common/math/vec.hpp"
+
+#include <cstdint>
+
+namespace rt {
+
+/// Where the samples of a pixel lie.
+enum class Sampler {
+    Regular,    ///< in the middles of equal cells
+    Random,     ///< anywhere, independent of each other
+    Jittered,   ///< anywhere in equal cells, one in each
+    Poisson,    ///< anywhere, but no two near each other
+    Trapezoid,  ///< on the corners of cells: POV-Ray's method 2
+    Centered,   ///< regular, and one more in the middle: POV-Ray's method 1
+};
+
+/// How much a sample counts for a pixel, by its place relative to the pixel's centre.
+enum class FilterKind { Box, Tent, Gaussian, Mitchell };
+
+/// A filter that is separable: a function of x times the same function of y.
+struct Filter {
+    FilterKind kind = FilterKind::Box;
+    Real radius = 0.5;  ///< in pixels; the weight is 0 where |x| or |y| is greater
+};
+
+/// All that a scene says of the samples of its pixels.
+struct Sampling {
+    int count = 1;  ///< samples a pixel, the mean number where they are adaptive; one is at the centre
+    Sampler sampler = Sampler::Jittered;
+    bool adaptive = false;  ///< spends more samples where the colours of a pixel differ more
+    Filter filter;
+    std::uint64_t seed = 0;
+};
+
+}  // namespace rt

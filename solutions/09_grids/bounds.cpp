@@ -1,0 +1,105 @@
+// Axis-aligned boxes: around shapes, and where a ray runs through one.
+#include "chapters/09_grids/bounds.hpp"
+
+#include "chapters/03_triangles/polygon.hpp"
+#include "chapters/04_transforms/transform.hpp"
+#include "common/math/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+/// The box around the image of a sphere under an affine map.
+Bounds bounds_of_image(const Mat4& m, const Sphere& sphere) {
+    const Vec3 center = transform_point(m, sphere.center);
+    Vec3 reach;
+    // [exercise 09.1] Fill in `reach`: how far the image reaches from its centre along each axis. A point of
+    // the sphere is centre + radius·n with a unit vector n; along axis a it has moved by radius · (row a of
+    // m) · n, and n may point along that row. A matrix of GLM is indexed m[column][row].
+    for (int a = 0; a < 3; ++a) reach[a] = sphere.radius * glm::length(Vec3(m[0][a], m[1][a], m[2][a]));
+    // [/exercise]
+    return {center - reach, center + reach};
+}
+
+}  // namespace
+
+Bounds bounds_of(const Sphere& sphere) {
+    // [exercise 09.1] The box that touches the sphere at both ends of each axis.
+    return {sphere.center - sphere.radius, sphere.center + sphere.radius};
+    // [/exercise]
+}
+
+Bounds bounds_of(const Triangle& triangle) {
+    // [exercise 09.1] The smallest and the greatest coordinates of the corners; glm::min and glm::max work on
+    // vectors, a coordinate at a time.
+    return {glm::min(triangle.a, glm::min(triangle.b, triangle.c)),
+            glm::max(triangle.a, glm::max(triangle.b, triangle.c))};
+    // [/exercise]
+}
+
+Bounds bounds_of(const Polygon& polygon) {
+    const Plane plane = supporting_plane(polygon.vertices);
+    const int axis = dominant_axis(plane.normal);
+    Bounds bounds;
+    for (const Vec3& vertex : polygon.vertices) {
+        bounds = merge(bounds, {vertex, vertex});
+        if (plane.normal[axis] == 0) continue;
+        // Rays hit the plane, and are then seen from along the axis: this is the vertex that they find.
+        Vec3 found = vertex;
+        found[axis] += dot(plane.normal, plane.point - vertex) / plane.normal[axis];
+        bounds = merge(bounds, {found, found});
+    }
+    return bounds;
+}
+
+Bounds bounds_of(const Ellipsoid& ellipsoid) {
+    return bounds_of_image(ellipsoid.transform.to_world, {Vec3(0), 1});
+}
+
+Bounds bounds_of(const Instance& instance, const SharedMesh& mesh) {
+    return bounds_of_image(instance.transform.to_world, mesh.bound);
+}
+
+Real distortion_of(const Transform& transform) {
+    Real greatest = 1;
+    for (int row = 0; row < 3; ++row) {
+        Real sum = 0;
+        for (int k = 0; k < 3; ++k)
+            for (int column = 0; column < 3; ++column)
+                sum += std::abs(transform.to_world[k][row] * transform.to_local[column][k]);
+        greatest = std::max(greatest, sum);
+    }
+    return greatest;
+}
+
+Bounds merge(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
+Bounds grown(const Bounds& box, Real by) { return {box.low - by, box.high + by}; }
+
+std::optional<Interval> clip(const Bounds& box, const Ray& ray, Interval range) {
+    // [exercise 09.2] Along each axis the ray is between the two planes of the box from `near` to `far`:
+    // (low − o)/d and (high − o)/d, in the order in which it meets them. Move near down and far up by
+    // gamma(3) of their sizes (common/math/error.hpp), then cut the range to what is between them.
+    //   – If d is 0 there is no division: the ray is between the planes everywhere, or nowhere.
+    //   – The box is closed, so an interval of one point is not empty: only min > max is.
+    //   – A box with low > high along some axis is empty.
+    for (int a = 0; a < 3; ++a) {
+        const Real low = box.low[a], high = box.high[a], o = ray.origin[a], d = ray.direction[a];
+        if (low > high) return std::nullopt;
+        if (d == 0) {
+            if (o < low || o > high) return std::nullopt;
+            continue;
+        }
+        const Real to_low = (low - o) / d, to_high = (high - o) / d;
+        const Real near = std::min(to_low, to_high), far = std::max(to_low, to_high);
+        range.min = std::max(range.min, near * (near > 0 ? 1 - gamma(3) : 1 + gamma(3)));
+        range.max = std::min(range.max, far * (far > 0 ? 1 + gamma(3) : 1 - gamma(3)));
+    }
+    if (range.min > range.max) return std::nullopt;
+    return range;
+    // [/exercise]
+}
+
+}  // namespace rt

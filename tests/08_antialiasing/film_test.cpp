@@ -1,0 +1,331 @@
+// Steps 08.5 and 08.6: filters, and sums that keep what rounding takes away.
+#include "chapters/08_antialiasing/film.hpp"
+
+#include "common/math/error.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace rt;
+using rt::test::cases;
+
+namespace {
+
+constexpr Real u = unit_roundoff;
+
+const Filter box{FilterKind::Box, 0.5}, tent{FilterKind::Tent, 1}, gaussian{FilterKind::Gaussian, 1.5},
+    mitchell{FilterKind::Mitchell, 2};
+const Filter all_filters[] = {box, tent, gaussian, mitchell};
+const char* const names[] = {"box", "tent", "gaussian", "mitchell"};
+
+/// One factor of a separable filter: the weight at (x, 0) without the factor of y = 0.
+Real factor(const Filter& filter, Real x) {
+    return filter_weight(filter, {x, 0}) / std::sqrt(filter_weight(filter, {0, 0}));
+}
+
+bool near(Real actual, Real expected, Real bound) { return std::abs(actual - expected) <= bound; }
+
+bool near(const Vec3& actual, const Vec3& expected, Real bound) {
+    return near(actual.x, expected.x, bound) && near(actual.y, expected.y, bound) &&
+           near(actual.z, expected.z, bound);
+}
+
+bool same(const FilmPixel& a, const FilmPixel& b) {
+    return a.sum == b.sum && a.lost == b.lost && a.weight == b.weight && a.lost_weight == b.lost_weight;
+}
+
+/// The cubic of the paper, from its formula (8), for any B and C: zero from |x| = 2 on.
+Real cubic(Real x, Real B, Real C) {
+    x = std::abs(x);
+    const Real x2 = x * x, x3 = x * x * x;
+    if (x < 1) return ((12 - 9 * B - 6 * C) * x3 + (-18 + 12 * B + 6 * C) * x2 + (6 - 2 * B)) / 6;
+    if (x < 2)
+        return ((-B - 6 * C) * x3 + (6 * B + 30 * C) * x2 + (-12 * B - 48 * C) * x + (8 * B + 24 * C)) / 6;
+    return 0;
+}
+
+/// Random samples all over and around a picture, some of them on edges and in the middles of pixels.
+std::vector<FilmSample> random_film_samples(test::Random& random, int count) {
+    std::vector<FilmSample> samples;
+    for (int i = 0; i < count; ++i) {
+        Vec2 at(random.uniform(-2, 9), random.uniform(-2, 8));
+        if (random.index(4) == 0) at.x = std::floor(2 * at.x) / 2;
+        if (random.index(4) == 0) at.y = std::floor(2 * at.y) / 2;
+        samples.push_back({at, random.in_cube(), random.uniform(0, 1)});
+    }
+    return samples;
+}
+
+/// n × n samples in the middles of the cells of each pixel of a picture.
+std::vector<FilmSample> even_samples(int width, int height, int n, const Vec3& color) {
+    std::vector<FilmSample> samples;
+    for (int y = 0; y < height * n; ++y) {
+        for (int x = 0; x < width * n; ++x)
+            samples.push_back({(Vec2(x, y) + Vec2(0.5)) / Real(n), color, Real(1) / (n * n)});
+    }
+    return samples;
+}
+
+}  // namespace
+
+// 08.5 ---------------------------------------------------------------------------------------------------
+
+TEST_CASE("the box counts all alike that are not outside", "[08.5]") {
+    CHECK(filter_weight(box, {0, 0}) == 1);
+    CHECK(filter_weight(box, {0.25, -0.4}) == 1);
+    CHECK(filter_weight(box, {0.5, -0.5}) == 1);
+    CHECK(filter_weight(box, {0.5000001, 0}) == 0);
+    CHECK(filter_weight(box, {0, -0.5000001}) == 0);
+    CHECK(filter_weight({FilterKind::Box, 3}, {2.5, 2}) == 1);
+}
+
+TEST_CASE("the tent falls evenly to its end", "[08.5]") {
+    CHECK(filter_weight(tent, {0, 0}) == 1);
+    CHECK(filter_weight(tent, {0.5, 0}) == 0.5);
+    CHECK(filter_weight(tent, {0, -0.75}) == 0.25);
+    CHECK(filter_weight(tent, {0.5, 0.5}) == 0.25);
+    CHECK(filter_weight(tent, {1, 0}) == 0);
+    CHECK(filter_weight({FilterKind::Tent, 2}, {1, 0}) == 0.5);
+}
+
+TEST_CASE("the Gaussian is a bell that reaches 0 at its end", "[08.5]") {
+    // e^-4.5 = 0.0111090 and e^-0.5 = 0.6065307; s is a third of the radius.
+    const Real top = 0.9888910034617577, at_s = 0.5954216631743912;
+    CHECK(near(filter_weight(gaussian, {0, 0}), top * top, 8 * u));
+    CHECK(near(filter_weight(gaussian, {0.5, 0}), at_s * top, 8 * u));
+    CHECK(near(filter_weight(gaussian, {-0.5, 0.5}), at_s * at_s, 8 * u));
+    CHECK(near(filter_weight({FilterKind::Gaussian, 6}, {2, 0}), at_s * top, 8 * u));
+    CHECK(near(filter_weight(gaussian, {1.5, 0}), 0, 8 * u));
+}
+
+TEST_CASE("Mitchell's filter is 8/9 at its top and 1/18 half way, then negative", "[08.5]") {
+    const Real top = 8. / 9;
+    CHECK(near(filter_weight(mitchell, {0, 0}), top * top, 4 * u));
+    CHECK(near(filter_weight(mitchell, {1, 0}), top / 18, 4 * u));
+    CHECK(near(filter_weight(mitchell, {-1, 1}), 1. / 18 / 18, 4 * u));
+    // (2 − 3/2)² · (8 − 21/2)/18 = −5/144.
+    CHECK(near(filter_weight(mitchell, {0, 1.5}), -top * 5 / 144, 4 * u));
+    CHECK(near(filter_weight(mitchell, {2, 0}), 0, 4 * u));
+    CHECK(near(filter_weight({FilterKind::Mitchell, 1}, {0, 0.75}), -top * 5 / 144, 4 * u));
+}
+
+TEST_CASE("Mitchell's filter is the paper's cubic with B = C = 1/3", "[08.5]") {
+    test::Random random(851);
+    for (int i = 0; i < cases(2000); ++i) {
+        const Real radius = random.uniform(0.5, 4);
+        const Vec2 offset(random.uniform(-1.2, 1.2) * radius, random.uniform(-1.2, 1.2) * radius);
+        const Real expected =
+            cubic(2 * offset.x / radius, 1. / 3, 1. / 3) * cubic(2 * offset.y / radius, 1. / 3, 1. / 3);
+        const Real actual = filter_weight({FilterKind::Mitchell, radius}, offset);
+        INFO("radius " << radius << ", offset " << offset.x << " " << offset.y << ", actual " << actual
+                       << ", expected " << expected);
+        // Terms of the paper's form reach 20/3 · 2 and cancel to 0; a few roundings of each.
+        if (!near(actual, expected, 64 * u)) REQUIRE(near(actual, expected, 64 * u));
+    }
+}
+
+TEST_CASE("filters are symmetric, products of what they do along each axis, and 0 outside", "[08.5]") {
+    test::Random random(852);
+    for (int i = 0; i < cases(2000); ++i) {
+        const std::size_t kind = random.index(4);
+        const Filter filter{all_filters[kind].kind, random.uniform(0.5, 4)};
+        const Vec2 offset(random.uniform(-1.5, 1.5) * filter.radius,
+                          random.uniform(-1.5, 1.5) * filter.radius);
+        const Real weight = filter_weight(filter, offset);
+        INFO(names[kind] << " of radius " << filter.radius << " at " << offset.x << " " << offset.y << ": "
+                         << weight);
+        const bool outside = std::max(std::abs(offset.x), std::abs(offset.y)) > filter.radius;
+        const bool right =
+            weight == filter_weight(filter, {-offset.x, offset.y}) &&
+            weight == filter_weight(filter, {offset.x, -offset.y}) &&
+            weight == filter_weight(filter, {offset.y, offset.x}) &&
+            (outside ? weight == 0
+                     : near(weight, factor(filter, offset.x) * factor(filter, offset.y), 16 * u));
+        if (!right) REQUIRE(right);
+    }
+}
+
+TEST_CASE("filters but the box have no steps, not at their ends either", "[08.5]") {
+    for (const Filter& filter : {tent, gaussian, mitchell}) {
+        INFO("filter " << static_cast<int>(filter.kind));
+        const Real h = filter.radius / 1000;
+        for (int i = -1100; i <= 1100; ++i) {
+            const Real step = filter_weight(filter, {(i + 1) * h, 0.1}) - filter_weight(filter, {i * h, 0.1});
+            // None is steeper than 2/radius: the Gaussian 1.82, Mitchell's cubic 1.28.
+            if (!(std::abs(step) <= 2 * h / filter.radius)) REQUIRE(std::abs(step) <= 2 * h / filter.radius);
+        }
+    }
+}
+
+TEST_CASE("tents and Mitchell's filters of neighbouring pixels share each sample out completely", "[08.5]") {
+    test::Random random(853);
+    for (int i = 0; i < cases(1000); ++i) {
+        const Vec2 at(random.uniform(0, 1), random.uniform(0, 1));
+        Real of_tents = 0, of_mitchells = 0, least = 0;
+        for (int y = -3; y <= 3; ++y) {
+            for (int x = -3; x <= 3; ++x) {
+                of_tents += filter_weight(tent, at + Vec2(x, y));
+                of_mitchells += filter_weight(mitchell, at + Vec2(x, y));
+                least = std::min(least, filter_weight(mitchell, at + Vec2(x, y)));
+            }
+        }
+        INFO("sample at " << at.x << " " << at.y << ": tents " << of_tents << ", Mitchell " << of_mitchells);
+        // 16 weights that are not 0, each below 1 and with about four roundings.
+        const bool right = near(of_tents, 1, 64 * u) && near(of_mitchells, 1, 64 * u) && least < 0;
+        if (!right) REQUIRE(right);
+    }
+}
+
+// 08.6 ---------------------------------------------------------------------------------------------------
+
+TEST_CASE("a film pixel's colour is the weighted mean, and black before the first sample", "[08.6]") {
+    CHECK(color_of(FilmPixel{}) == Vec3(0));
+    FilmPixel pixel = add(FilmPixel{}, {1, 0, 4}, 1);
+    CHECK(color_of(pixel) == Vec3(1, 0, 4));
+    pixel = add(pixel, {0, 2, 0}, 3);
+    CHECK(pixel.weight == 4);
+    CHECK(color_of(pixel) == Vec3(0.25, 1.5, 1));
+    CHECK(color_of(add(FilmPixel{}, {1, 2, 3}, 0)) == Vec3(0));
+}
+
+TEST_CASE("what is small beside the sum is not lost, and neither is what is great", "[08.6]") {
+    FilmPixel pixel;
+    for (const Real term : {1e16, 1., 1., -1e16}) pixel = add(pixel, Vec3(term), 1);
+    CHECK(color_of(pixel) == Vec3(0.5));
+    // Here each term is greater than the sum that it is added to, until the last takes it away.
+    pixel = FilmPixel{};
+    for (const Real term : {1., 1e16, 1., -1e16}) pixel = add(pixel, Vec3(1, term, -term), 0.5);
+    CHECK(color_of(pixel) == Vec3(1, 0.5, -0.5));
+}
+
+TEST_CASE("ten million samples are summed up as well as one", "[08.6]") {
+    const int n = cases(10'000'000);
+    FilmPixel pixel;
+    Real naive = 0;
+    for (int i = 0; i < n; ++i) {
+        pixel = add(pixel, {0.1, 0.7, 1}, 0.3);
+        naive += 0.3 * 0.1;
+    }
+    // 0.3 · 0.1 is rounded once, and the same each time. Then the sum is rounded a few times in all, not n.
+    const Real bound = 4 * u;
+    const Vec3 color = color_of(pixel);
+    INFO(n << " samples: off by " << color.x - 0.1 << " " << color.y - 0.7 << " " << color.z - 1);
+    CHECK(near(color.x, 0.1, bound * 0.1));
+    CHECK(near(color.y, 0.7, bound * 0.7));
+    CHECK(near(color.z, 1, bound));
+    CHECK(near(pixel.weight + pixel.lost_weight, 0.3 * n, bound * 0.3 * n));
+    // Sums without compensation fail this test, by far.
+    CHECK(!near(naive / (0.3 * n), 0.1, 1000 * bound * 0.1));
+}
+
+TEST_CASE("merged sums are as good as one", "[08.6]") {
+    FilmPixel a, b, whole;
+    for (const Real term : {1e16, 1., 3., 1e-3}) {
+        a = add(a, Vec3(term, 1, 0), 1);
+        whole = add(whole, Vec3(term, 1, 0), 1);
+    }
+    for (const Real term : {5., -1e16, 1., 1e-3}) {
+        b = add(b, Vec3(term, 0, 1), 2);
+        whole = add(whole, Vec3(term, 0, 1), 2);
+    }
+    // (1e16 + 4.001) + 2 (6.001 − 1e16) = 16.003 − 1e16; then with 1e16 more.
+    for (const FilmPixel& both : {merge(a, b), merge(b, a), whole}) {
+        CHECK(both.weight == 12);
+        const FilmPixel rest = add(both, Vec3(1e16, 0, 0), 1);
+        CHECK(near(color_of(rest) * 13., Vec3(16.003, 4, 8), 1e-14 * 16));
+    }
+    // Neither is weight lost: here the 1 of each film beside its 1e16.
+    const FilmPixel heavy = add(add(FilmPixel{}, Vec3(0), 1e16), Vec3(0), 1), both = merge(heavy, heavy);
+    CHECK((both.weight - 2e16) + both.lost_weight == 2);
+}
+
+TEST_CASE("a sample goes to the pixels that it reaches, and only to those", "[08.6]") {
+    // 3/4 to the pixel (2, 1), whose centre is at 2.5; 1/4 to the pixel (1, 1).
+    const FilmSample one{{2.25, 1.5}, {8, 4, 2}, 0.5};
+    const std::vector<FilmPixel> film = film_of({&one, 1}, tent, {0, 0, 4, 3});
+    REQUIRE(film.size() == 12);
+    for (std::size_t i = 0; i < film.size(); ++i) {
+        const Real weight = i == 6 ? 0.75 : i == 5 ? 0.25 : 0;
+        INFO("pixel " << i % 4 << " " << i / 4);
+        CHECK(film[i].weight == 0.5 * weight);
+        CHECK(film[i].sum == 0.5 * weight * Vec3(8, 4, 2));
+    }
+}
+
+TEST_CASE("an empty area has no sums, and a film without samples is black", "[08.6]") {
+    const FilmSample one{{2.25, 1.5}, {8, 4, 2}, 0.5};
+    CHECK(film_of({&one, 1}, tent, {2, 1, 2, 3}).empty());
+    CHECK(film_of({&one, 1}, tent, {2, 3, 5, 3}).empty());
+    const std::vector<FilmPixel> film = film_of({}, mitchell, {2, 1, 4, 3});
+    REQUIRE(film.size() == 4);
+    for (const FilmPixel& pixel : film) CHECK(color_of(pixel) == Vec3(0));
+}
+
+TEST_CASE("a film is what asking each pixel about each sample makes, to the bit", "[08.6]") {
+    test::Random random(861);
+    for (int i = 0; i < cases(40); ++i) {
+        const std::vector<FilmSample> samples = random_film_samples(random, 60);
+        const std::size_t kind = random.index(4);
+        Filter filter = all_filters[kind];
+        if (random.index(2) == 0) filter.radius = random.uniform(0.3, 3);
+        const int x0 = static_cast<int>(random.index(3)), y0 = static_cast<int>(random.index(3));
+        const Tile area{x0, y0, x0 + 1 + static_cast<int>(random.index(5)),
+                        y0 + 1 + static_cast<int>(random.index(4))};
+        const std::vector<FilmPixel> film = film_of(samples, filter, area);
+        REQUIRE(film.size() == static_cast<std::size_t>((area.x1 - area.x0) * (area.y1 - area.y0)));
+        auto actual = film.begin();
+        for (int y = area.y0; y < area.y1; ++y) {
+            for (int x = area.x0; x < area.x1; ++x, ++actual) {
+                FilmPixel expected;
+                for (const FilmSample& sample : samples) {
+                    const Real weight = filter_weight(filter, sample.at - Vec2(x + 0.5, y + 0.5));
+                    if (weight != 0) expected = add(expected, sample.color, sample.weight * weight);
+                }
+                if (same(*actual, expected)) continue;
+                INFO(names[kind] << " of radius " << filter.radius << ", pixel " << x << " " << y);
+                CHECK(actual->weight == expected.weight);
+                REQUIRE(same(*actual, expected));
+            }
+        }
+    }
+}
+
+TEST_CASE("one colour stays that colour under every filter, up to the picture's border", "[08.6]") {
+    const Vec3 color(0.1, 0.7, 1);
+    for (std::size_t kind = 0; kind < 4; ++kind) {
+        for (const int n : {1, 2, 3}) {
+            const std::vector<FilmPixel> film =
+                film_of(even_samples(7, 6, n, color), all_filters[kind], {0, 0, 7, 6});
+            REQUIRE(film.size() == 42);
+            for (std::size_t i = 0; i < film.size(); ++i) {
+                INFO(names[kind] << ", " << n << " × " << n << " samples, pixel " << i % 7 << " " << i / 7);
+                // Negative weights make the sum of |weights| up to 1.6 times that of the weights; each
+                // product is rounded twice.
+                const bool stays = near(color_of(film[i]), color, 8 * u);
+                if (!stays) REQUIRE(stays);
+            }
+        }
+    }
+}
+
+TEST_CASE("films of two tiles merge to the film of the picture", "[08.6]") {
+    test::Random random(862);
+    const std::vector<FilmSample> samples = random_film_samples(random, 200);
+    const Tile picture{0, 0, 7, 6};
+    std::vector<FilmSample> left, right;
+    for (const FilmSample& sample : samples) (sample.at.x < 3 ? left : right).push_back(sample);
+    for (const Filter& filter : all_filters) {
+        const std::vector<FilmPixel> whole = film_of(samples, filter, picture),
+                                     a = film_of(left, filter, picture), b = film_of(right, filter, picture);
+        REQUIRE((whole.size() == 42 && a.size() == 42 && b.size() == 42));
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+            const FilmPixel both = merge(a[i], b[i]);
+            // Each true sum is within a few u² of the exact one, and no sum is above 200.
+            const bool equal = near(both.sum + both.lost, whole[i].sum + whole[i].lost, 800 * u) &&
+                               near(both.weight, whole[i].weight, 800 * u);
+            if (!equal) REQUIRE(equal);
+        }
+    }
+}

@@ -1,0 +1,249 @@
+// Boxes around shapes, and the part of a ray inside a box.
+#include "chapters/09_grids/bounds.hpp"
+#include "chapters/03_triangles/polygon.hpp"
+#include "chapters/04_transforms/transform.hpp"
+#include "common/math/error.hpp"
+#include "tests/09_grids/show.hpp"
+#include "tests/catch.hpp"
+#include "tests/oracle/box.hpp"
+#include "tests/stability/grids.hpp"
+#include "tests/support.hpp"
+
+using namespace rt;
+using rt::test::cases;
+using rt::test::Random;
+using rt::test::show;
+
+namespace {
+
+const Bounds unit_box{Vec3(0), Vec3(1)};
+
+bool contains_point(const Bounds& box, const Vec3& p) {
+    return glm::all(glm::lessThanEqual(box.low, p)) && glm::all(glm::lessThanEqual(p, box.high));
+}
+
+/// The box moved out by a few roundings of numbers as large as those in it.
+Bounds grown_by_rounding(const Bounds& box) {
+    const Vec3 size = glm::max(glm::abs(box.low), glm::abs(box.high));
+    return grown(box, gamma(8) * std::max({size.x, size.y, size.z}));
+}
+
+Ellipsoid ellipsoid_under(const Mat4& m) {
+    const std::optional<Mat4> back = inverse(m);
+    REQUIRE(back);
+    return {{m, *back}};
+}
+
+Mat4 some_map(Random& random) {
+    return translation(random.in_cube()) * rotation(random.direction(), random.uniform(0, 6)) *
+           scaling(Vec3(random.magnitude(-2, 1), random.magnitude(-2, 1), random.magnitude(-2, 1))) *
+           rotation(random.direction(), random.uniform(0, 6));
+}
+
+}  // namespace
+
+TEST_CASE("the box of a sphere touches it at the ends of the axes", "[09.1]") {
+    CHECK(bounds_of(Sphere{{1, 2, 3}, 2}) == Bounds{{-1, 0, 1}, {3, 4, 5}});
+    CHECK(bounds_of(Sphere{{0, 0, 0}, 0.5}) == Bounds{Vec3(-0.5), Vec3(0.5)});
+}
+
+TEST_CASE("the box of a triangle ends at its corners", "[09.1]") {
+    CHECK(bounds_of(Triangle{{1, 5, -2}, {0, 7, 3}, {4, 6, 0}}) == Bounds{{0, 5, -2}, {4, 7, 3}});
+    INFO("a triangle in a plane of constant y has a box without thickness");
+    CHECK(bounds_of(Triangle{{0, 1, 0}, {1, 1, 0}, {0, 1, 1}}) == Bounds{{0, 1, 0}, {1, 1, 1}});
+}
+
+TEST_CASE("the box of an ellipsoid reaches along each axis as far as the matrix's row is long", "[09.1]") {
+    Mat4 m(1);
+    // The rows are (3, 4, 12), (0, 5, 0) and (0, 0, 2), of lengths 13, 5 and 2. A column at a time:
+    m[0] = Vec4(3, 0, 0, 0);
+    m[1] = Vec4(4, 5, 0, 0);
+    m[2] = Vec4(12, 0, 2, 0);
+    m[3] = Vec4(100, 200, 300, 1);
+    CHECK(bounds_of(ellipsoid_under(m)) == Bounds{{87, 195, 298}, {113, 205, 302}});
+}
+
+TEST_CASE("every point of a shape is in its box, and each face of the box is touched", "[09.1]") {
+    Random random(91);
+    for (int k = 0; k < cases(5000); ++k) {
+        const Sphere sphere{10.0 * random.in_cube(), random.magnitude(-2, 2)};
+        const Triangle t{random.in_cube(), random.in_cube(), random.in_cube()};
+        const Ellipsoid ellipsoid = ellipsoid_under(some_map(random));
+        const Mat4& m = ellipsoid.transform.to_world;
+
+        const Vec3 n = random.direction();
+        const Real b = random.uniform(0, 1), c = random.uniform(0, 1 - b);
+        const Vec3 on_triangle = (1 - b - c) * t.a + b * t.b + c * t.c;
+        INFO("case " << k);
+        CHECK(contains_point(grown_by_rounding(bounds_of(sphere)), sphere.center + sphere.radius * n));
+        CHECK(contains_point(grown_by_rounding(bounds_of(t)), on_triangle));
+        const Bounds box = bounds_of(ellipsoid);
+        CHECK(contains_point(grown_by_rounding(box), transform_point(m, n)));
+        for (int a = 0; a < 3; ++a) {
+            // The unit vector along row a goes to the farthest point along axis a.
+            const Vec3 row(m[0][a], m[1][a], m[2][a]);
+            const Real farthest = transform_point(m, normalize(row))[a];
+            CAPTURE(a, farthest, box);
+            CHECK(std::abs(box.high[a] - farthest) <= gamma(20) * (length(row) + std::abs(m[3][a])));
+            CHECK(std::abs(box.high[a] + box.low[a] - 2 * m[3][a]) <=
+                  gamma(8) * (length(row) + std::abs(m[3][a])));
+        }
+    }
+}
+
+TEST_CASE("a polygon's box holds the places where rays hit it, flat or not", "[09.1]") {
+    Random random(92);
+    int hits = 0;
+    for (int k = 0; k < cases(5000); ++k) {
+        Polygon polygon{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+        // Not flat: the last corner is above the plane of the others.
+        polygon.vertices[3].z = random.index(2) == 0 ? 0 : random.uniform(0, 0.2);
+        const Ray ray{Vec3(0.5, 0.5, 1) + 0.4 * random.in_cube(), -random.direction()};
+        const std::optional<Hit> hit = intersect(polygon, ray, {});
+        if (!hit) continue;
+        ++hits;
+        INFO("last corner at z = " << polygon.vertices[3].z << ", hit at " << show(point_at(ray, hit->t)));
+        CHECK(contains_point(grown(bounds_of(polygon), 1e-12), point_at(ray, hit->t)));
+    }
+    CHECK(hits > cases(5000) / 20);
+}
+
+TEST_CASE("an instance's box holds its triangles", "[09.1]") {
+    Random random(93);
+    for (int k = 0; k < cases(1000); ++k) {
+        SharedMesh mesh;
+        mesh.bound = {random.in_cube(), random.uniform(0.1, 1)};
+        const Ellipsoid map = ellipsoid_under(some_map(random));
+        const Bounds box = bounds_of(Instance{map.transform, 0}, mesh);
+        const Vec3 corner = mesh.bound.center + mesh.bound.radius * random.direction();
+        CHECK(contains_point(grown_by_rounding(box), transform_point(map.transform.to_world, corner)));
+    }
+}
+
+TEST_CASE("the part of a ray in a box, by hand", "[09.2]") {
+    const auto check = [](const Ray& ray, Interval range, std::optional<Interval> expected) {
+        const std::optional<Interval> actual = clip(unit_box, ray, range);
+        INFO("ray " << show(ray) << " in " << range << " and the unit box");
+        REQUIRE(actual.has_value() == expected.has_value());
+        if (!expected) return;
+        INFO("expected " << *expected << ", actual " << *actual);
+        CHECK(std::abs(actual->min - expected->min) <= gamma(4) * std::abs(expected->min));
+        CHECK(std::abs(actual->max - expected->max) <= gamma(4) * std::abs(expected->max));
+    };
+    check({{-1, 0.5, 0.5}, {1, 0, 0}}, {}, Interval{1, 2});
+    check({{2, 0.5, 0.5}, {-1, 0, 0}}, {}, Interval{1, 2});
+    check({{-1, 0.5, 0.5}, {0.5, 0, 0}}, {}, Interval{2, 4});
+    check({{0.5, 0.5, 0.5}, {0, 1, 0}}, {}, Interval{0, 0.5});
+    check({{-1, -1, -1}, {1, 1, 1}}, {}, Interval{1, 2});
+    check({{-1, 0.5, 0.5}, {1, 0, 0}}, {1.25, 1.5}, Interval{1.25, 1.5});
+    check({{-1, 0.5, 0.5}, {1, 0, 0}}, {-infinity, infinity}, Interval{1, 2});
+    INFO("beside, behind, and before the box");
+    check({{-1, 1.5, 0.5}, {1, 0, 0}}, {}, std::nullopt);
+    check({{2, 0.5, 0.5}, {1, 0, 0}}, {}, std::nullopt);
+    check({{-1, 0.5, 0.5}, {1, 0, 0}}, {0, 0.5}, std::nullopt);
+    check({{-1, 0.5, 0.5}, {1, 1, 0}}, {}, std::nullopt);
+}
+
+TEST_CASE("a ray in a face, along an edge, or through a corner is in the box there", "[09.2]") {
+    for (const Real zero : {0.0, -0.0}) {
+        for (const Real y : {0.0, 1.0}) {
+            CAPTURE(zero, y);
+            const std::optional<Interval> face = clip(unit_box, {{-1, y, 0.5}, {1, zero, zero}}, {});
+            REQUIRE(face);
+            CHECK(face->min == Approx(1));
+            CHECK(face->max == Approx(2));
+            const std::optional<Interval> edge = clip(unit_box, {{2, y, 1}, {-1, zero, zero}}, {});
+            REQUIRE(edge);
+            CHECK(edge->max == Approx(2));
+        }
+        CHECK(clip(unit_box, {{0.5, 0.5, 0.5}, {zero, zero, -1}}, {}));
+    }
+    INFO("through the corner (1, 1, 0) and through nothing else");
+    const std::optional<Interval> corner = clip(unit_box, {{0, 2, 0}, {1, -1, 0}}, {});
+    REQUIRE(corner);
+    CHECK(corner->min == Approx(1));
+    CHECK(corner->max == Approx(1));
+}
+
+TEST_CASE("a box without thickness is met, an empty box is not", "[09.2]") {
+    const Bounds sheet{{0, 0, 0}, {1, 0, 1}};
+    CHECK(clip(sheet, {{0.5, 1, 0.5}, {0, -1, 0}}, {}));
+    CHECK(clip(sheet, {{0.5, 1, 0.5}, {0.1, -1, 0.2}}, {}));
+    CHECK(clip(sheet, {{-1, 0, 0.5}, {1, 0, 0}}, {}));
+    CHECK(clip(sheet, {{-1, 0, 0.5}, {1, -0.0, 0}}, {}));
+    CHECK_FALSE(clip(sheet, {{-1, 0.1, 0.5}, {1, 0, 0}}, {}));
+
+    const Bounds point{Vec3(0.1), Vec3(0.1)};
+    CHECK(clip(point, {Vec3(0), Vec3(1)}, {}));
+    CHECK(clip(point, {Vec3(0.1), {0, 0, 1}}, {}));
+
+    for (const Vec3& d : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(1, 2, 3), Vec3(-0.0, 0, 1)}) {
+        CAPTURE(show(d));
+        CHECK_FALSE(clip(Bounds{}, {Vec3(0), d}, {}));
+        CHECK_FALSE(clip(Bounds{{0, 1, 0}, {1, 0, 1}}, {Vec3(0.5) - d, d}, {-infinity, infinity}));
+    }
+}
+
+TEST_CASE("no part of a ray in a box is lost, and little is added, against exact arithmetic",
+          "[09.2][stability]") {
+    // Near and far are each off by 3 roundings of the distance, and 3 more for the widening; a little for
+    // second order. In units of u.
+    const Real allowed = 7;
+    Random random(94);
+    const auto whole = [&] { return static_cast<Real>(random.index(5)) - 2; };
+    int met = 0, lost_by_naive = 0;
+    const int all = cases(20'000);
+    for (int k = 0; k < all; ++k) {
+        const bool is_whole = random.index(2) == 0;
+        const Real scale = is_whole ? 1 : random.magnitude(-9, 9);
+        const auto place = [&] {
+            return is_whole ? Vec3(whole(), whole(), whole()) : scale * random.in_cube();
+        };
+        const Vec3 p = place(), q = place();
+        Bounds box{glm::min(p, q), glm::max(p, q)};
+        if (random.index(4) == 0) box.high[static_cast<int>(random.index(3))] = box.low.x;
+        box = {glm::min(box.low, box.high), glm::max(box.low, box.high)};
+
+        // From a place that often lies in a plane of the box, to another, or along an axis.
+        Ray ray{place(), place()};
+        for (int a = 0; a < 3; ++a) {
+            if (random.index(4) == 0) ray.origin[a] = random.index(2) == 0 ? box.low[a] : box.high[a];
+            if (random.index(4) == 0) ray.direction[a] = random.index(2) == 0 ? 0.0 : -0.0;
+        }
+        if (random.index(2) == 0) ray.origin -= random.uniform(0, 3) * ray.direction;
+        Interval range;
+        if (random.index(4) == 0) range = {-infinity, infinity};
+        if (random.index(4) == 0) range.max = random.uniform(0, 2);
+
+        const std::optional<Interval> actual = clip(box, ray, range);
+        const oracle::ClipTruth truth = oracle::judge_clip(box, ray, range, actual);
+        INFO("case " << k << ": " << box << ", " << show(ray) << " in " << range);
+        const Interval exact{truth.near, truth.far};
+        INFO("exact: " << (truth.inside ? "inside " : "outside ") << exact);
+        INFO("actual: " << (actual ? "inside " : "outside ") << actual.value_or(Interval{}));
+        CHECK_FALSE(truth.lost);
+        CHECK(truth.excess <= (truth.inside ? allowed : 2 * allowed));
+        met += truth.inside ? 1 : 0;
+        if (oracle::judge_clip(box, ray, range, naive::clip(box, ray, range)).lost) ++lost_by_naive;
+    }
+    CHECK(met > all / 5);
+    INFO("the naive slab test has to fail here, else the cases show nothing; it lost " << lost_by_naive);
+    CHECK(lost_by_naive > all / 100);
+}
+
+TEST_CASE("a box and a ray twice as large have the same parts, to the bit", "[09.2]") {
+    Random random(95);
+    for (int k = 0; k < cases(2000); ++k) {
+        const Vec3 p = random.in_cube(), q = random.in_cube();
+        const Bounds box{glm::min(p, q), glm::max(p, q)};
+        const Ray ray{3.0 * random.in_cube(), random.in_cube()};
+        const Real scale = std::ldexp(1.0, static_cast<int>(random.index(400)) - 200);
+        const std::optional<Interval> one = clip(box, ray, {});
+        const std::optional<Interval> other =
+            clip({scale * box.low, scale * box.high}, {scale * ray.origin, scale * ray.direction}, {});
+        REQUIRE(one.has_value() == other.has_value());
+        if (!one) continue;
+        CHECK(one->min == other->min);
+        CHECK(one->max == other->max);
+    }
+}

@@ -1,0 +1,391 @@
+// How many cells, which shapes are in them, and grids inside grids.
+#include "chapters/09_grids/build.hpp"
+#include "chapters/04_transforms/transform.hpp"
+#include "tests/09_grids/show.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+using namespace rt;
+using rt::test::cases;
+using rt::test::for_each_cell;
+using rt::test::items_of;
+using rt::test::Random;
+using rt::test::show;
+
+namespace {
+
+const Bounds unit_box{Vec3(0), Vec3(1)};
+
+Real total(const Cells& cells) {
+    return static_cast<Real>(cells.x) * static_cast<Real>(cells.y) * static_cast<Real>(cells.z);
+}
+
+Bounds box_of(const Vec3& edges) { return {Vec3(0), edges}; }
+
+/// The margin as the contract has it.
+Real margin_for(const Bounds& around) {
+    const Vec3 edges = around.high - around.low;
+    const Vec3 size = glm::max(glm::abs(around.low), glm::abs(around.high));
+    return 0x1p-30 * std::max({edges.x, edges.y, edges.z}) + 0x1p-44 * std::max({size.x, size.y, size.z});
+}
+
+/// What is left of a polygon on one side of a plane of the box.
+std::vector<Vec3> cut(const std::vector<Vec3>& polygon, int axis, Real at, Real sign) {
+    std::vector<Vec3> left;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3 p = polygon[i], q = polygon[(i + 1) % polygon.size()];
+        const Real hp = sign * (p[axis] - at), hq = sign * (q[axis] - at);
+        if (hp <= 0) left.push_back(p);
+        if ((hp < 0 && hq > 0) || (hp > 0 && hq < 0)) left.push_back(p + hp / (hp - hq) * (q - p));
+    }
+    return left;
+}
+
+/// Whether the triangle has points in the box, by cutting it down to the box (Sutherland & Hodgman 1974).
+bool meets(const Triangle& t, const Bounds& box) {
+    std::vector<Vec3> polygon{t.a, t.b, t.c};
+    for (int a = 0; a < 3; ++a) polygon = cut(cut(polygon, a, box.high[a], 1), a, box.low[a], -1);
+    return !polygon.empty();
+}
+
+Triangle some_triangle(Random& random, Real size) {
+    const Vec3 place = random.in_cube();
+    return {place + size * random.in_cube(), place + size * random.in_cube(),
+            place + size * random.in_cube()};
+}
+
+std::vector<Triangle> some_triangles(Random& random, int count) {
+    std::vector<Triangle> triangles;
+    for (int k = 0; k < count; ++k) triangles.push_back(some_triangle(random, random.magnitude(-2, 0)));
+    return triangles;
+}
+
+Grid grid_of(const std::vector<Triangle>& triangles, const GridOptions& options) {
+    return build_grid(std::span<const Triangle>(triangles), options);
+}
+
+/// The greatest number of grids inside each other.
+int depth_of(const Grid& grid) {
+    int deepest = 0;
+    for (const Grid& inner : grid.grids) deepest = std::max(deepest, depth_of(inner));
+    return deepest + 1;
+}
+
+/// Whether the cell, of the grid or of one in it, in which the point is, lists the shape.
+bool lists(const Grid& grid, const Vec3& point, std::uint32_t shape) {
+    const Cells& n = grid.shape.cells;
+    const Vec3 place = (point - grid.shape.box.low) / (grid.shape.box.high - grid.shape.box.low) * Vec3(n);
+    const Cells cell = glm::clamp(Cells(glm::floor(place)), Cells(0), n - 1);
+    const auto number = static_cast<std::size_t>((cell.z * n.y + cell.y) * n.x + cell.x);
+    if (!grid.inner.empty() && grid.inner[number] > 0)
+        return lists(grid.grids[grid.inner[number] - 1], point, shape);
+    const std::vector<std::uint32_t> items = items_of(grid, cell);
+    return std::ranges::find(items, shape) != items.end();
+}
+
+}  // namespace
+
+TEST_CASE("a cube gets as many cells along each axis", "[09.3]") {
+    CHECK(grid_resolution(unit_box, 1000, 1) == Cells(10));
+    CHECK(grid_resolution(unit_box, 250, 4) == Cells(10));
+    CHECK(grid_resolution({Vec3(-3), Vec3(-1)}, 27, 1) == Cells(3));
+    INFO("a count of cells that is no cube: 100 = 4.64 cubed");
+    CHECK(grid_resolution(unit_box, 100, 1) == Cells(5));
+}
+
+TEST_CASE("a longer edge gets more cells: they are cubes", "[09.3]") {
+    CHECK(grid_resolution(box_of({4, 2, 1}), 64, 1) == Cells(8, 4, 2));
+    CHECK(grid_resolution(box_of({1, 4, 2}), 64, 1) == Cells(2, 8, 4));
+    CHECK(grid_resolution(box_of({10, 10, 1}), 100, 8) == Cells(20, 20, 2));
+}
+
+TEST_CASE("a thin axis gets one cell, and the others share", "[09.3]") {
+    CHECK(grid_resolution(box_of({100, 100, 1}), 100, 4) == Cells(20, 20, 1));
+    CHECK(grid_resolution(box_of({100, 0, 100}), 100, 4) == Cells(20, 1, 20));
+    CHECK(grid_resolution(box_of({1, 1000, 1}), 10, 4) == Cells(1, 40, 1));
+    CHECK(grid_resolution(box_of({0, 0, 7}), 10, 4) == Cells(1, 1, 40));
+    INFO("a point, an empty box, and no shapes");
+    CHECK(grid_resolution(box_of({0, 0, 0}), 10, 4) == Cells(1));
+    CHECK(grid_resolution(Bounds{}, 10, 4) == Cells(1));
+    CHECK(grid_resolution(unit_box, 0, 4) == Cells(1));
+}
+
+TEST_CASE("there are never more cells than allowed", "[09.3]") {
+    CHECK(grid_resolution(box_of({0, 0, 7}), 1'000'000, 4) == Cells(1, 1, 1024));
+    CHECK(grid_resolution(unit_box, 1'000'000'000, 64, 100) == Cells(100));
+    CHECK(grid_resolution(box_of({1, 1e-300, 1e-300}), 1'000'000, 4) == Cells(1024, 1, 1));
+}
+
+TEST_CASE("the number of cells is near density times shapes, and cells are nearly cubes", "[09.3]") {
+    Random random(96);
+    for (int k = 0; k < cases(2000); ++k) {
+        const Vec3 edges(random.magnitude(-1, 1), random.magnitude(-1, 1), random.magnitude(-1, 1));
+        const auto count = static_cast<std::size_t>(random.magnitude(2, 6));
+        const Real density = random.uniform(1, 8);
+        const Cells cells = grid_resolution(box_of(edges), count, density);
+        CAPTURE(show(edges), count, density, show(cells));
+        // Rounding makes at most 1.5 of 1, along each of three axes; it makes 1 of no less than 1.5.
+        const Real wanted = density * static_cast<Real>(count);
+        CHECK(total(cells) < 3.4 * wanted);
+        CHECK(total(cells) > wanted / 3.4);
+        Vec3 size = edges / Vec3(cells);
+        std::sort(&size.x, &size.x + 3);
+        if (std::min({cells.x, cells.y, cells.z}) >= 8 && std::max({cells.x, cells.y, cells.z}) < 1024) {
+            CHECK(size.z <= 1.14 * size.x);
+            CHECK(total(cells) == Approx(wanted).epsilon(0.2));
+        }
+    }
+}
+
+TEST_CASE("a box larger by a power of two gets the same cells", "[09.3]") {
+    Random random(97);
+    for (int k = 0; k < cases(2000); ++k) {
+        const Vec3 edges(random.magnitude(-4, 0), random.magnitude(-4, 0), random.magnitude(-4, 0));
+        const std::size_t count = 1 + random.index(100'000);
+        const Real scale = std::ldexp(1.0, static_cast<int>(random.index(1200)) - 600);
+        CAPTURE(show(edges), count, scale);
+        CHECK(grid_resolution(box_of(edges), count, 4) == grid_resolution(box_of(scale * edges), count, 4));
+    }
+}
+
+TEST_CASE("a sphere is where its surface is", "[09.4]") {
+    const Sphere sphere{{0, 0, 0}, 1};
+    CHECK(overlaps(sphere, {Vec3(-2), Vec3(2)}));
+    CHECK(overlaps(sphere, {{0.9, -0.1, -0.1}, {1.1, 0.1, 0.1}}));
+    INFO("touched from outside");
+    CHECK(overlaps(sphere, {{1, 0, 0}, {2, 1, 1}}));
+    INFO("near a corner of the sphere's box, where the sphere is not");
+    CHECK(overlaps(sphere, {Vec3(0.5), Vec3(1)}));
+    CHECK_FALSE(overlaps(sphere, {Vec3(0.6), Vec3(1)}));
+    INFO("far away, and inside, where there is no surface");
+    CHECK_FALSE(overlaps(sphere, {{1.1, 0, 0}, {2, 1, 1}}));
+    CHECK_FALSE(overlaps(sphere, {Vec3(-0.5), Vec3(0.5)}));
+    CHECK_FALSE(overlaps(sphere, {{0.1, 0.1, 0.1}, {0.5, 0.5, 0.5}}));
+}
+
+TEST_CASE("a triangle is apart from a box along an axis, its normal, or an edge times an axis", "[09.4]") {
+    const Triangle slanted{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}};
+    CHECK(overlaps(slanted, {Vec3(0.9), Vec3(1.1)}));
+    INFO("the box is in front of the plane x + y + z = 3, or behind it");
+    CHECK_FALSE(overlaps(slanted, {Vec3(0), Vec3(0.9)}));
+    CHECK_FALSE(overlaps(slanted, {Vec3(1.1), Vec3(2)}));
+    INFO("the box is beside the triangle");
+    CHECK_FALSE(overlaps(slanted, {{4, 0, 0}, {5, 1, 1}}));
+    CHECK_FALSE(overlaps(slanted, {{0, -2, 0}, {1, -1, 1}}));
+
+    INFO("only the edge x + y = 2.2 parts this triangle in the plane z = 0 from the cube");
+    const Bounds cube{Vec3(-1), Vec3(1)};
+    CHECK_FALSE(overlaps(Triangle{{2.5, -0.3, 0}, {-0.3, 2.5, 0}, {3, 3, 0}}, cube));
+    CHECK(overlaps(Triangle{{2.2, -0.3, 0}, {-0.3, 2.2, 0}, {3, 3, 0}}, cube));
+    INFO("a triangle wholly inside, and one that the box is wholly inside of, flat");
+    CHECK(overlaps(Triangle{{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}, cube));
+    CHECK(overlaps(Triangle{{-9, -9, 0.5}, {9, -9, 0.5}, {0, 9, 0.5}}, cube));
+    CHECK(overlaps(Triangle{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, cube));
+}
+
+TEST_CASE("overlap with a sphere or triangle is never missed, and not made up", "[09.4]") {
+    Random random(98);
+    int yes = 0, no = 0;
+    for (int k = 0; k < cases(20'000); ++k) {
+        const Vec3 p = random.in_cube(), q = random.in_cube();
+        Bounds box{glm::min(p, q), glm::max(p, q)};
+        if (random.index(4) == 0) box.high.y = box.low.y;
+        const Triangle t = some_triangle(random, random.magnitude(-3, 1));
+        const Sphere sphere{random.in_cube(), random.magnitude(-2, 0.5)};
+        const Real slack = 1e-12;  // more than the rounding of these numbers of size 10
+        CAPTURE(box, show(t), show(sphere.center), sphere.radius);
+        if (meets(t, box)) CHECK(overlaps(t, grown(box, slack)));
+        if (!meets(t, grown(box, slack))) CHECK_FALSE(overlaps(t, box));
+
+        const Vec3 nearest = glm::clamp(sphere.center, box.low, box.high);
+        const Vec3 farthest = glm::max(glm::abs(box.low - sphere.center), glm::abs(box.high - sphere.center));
+        const bool apart = length(nearest - sphere.center) > sphere.radius + slack;
+        const bool inside = length(farthest) < sphere.radius - slack;
+        if (apart || inside) CHECK_FALSE(overlaps(sphere, box));
+        const Vec3 on_sphere = sphere.center + sphere.radius * random.direction();
+        CHECK(overlaps(sphere, grown({on_sphere, on_sphere}, slack)));
+        (overlaps(t, box) ? yes : no) += 1;
+    }
+    CHECK(yes > cases(20'000) / 20);
+    CHECK(no > cases(20'000) / 20);
+}
+
+TEST_CASE("tiny triangles, whose edges' products underflow, are where they are", "[09.4]") {
+    const Real s = 1e-170;
+    const auto at = [&](const Vec3& p) { return Triangle{p, p + Vec3(s, 0, 0), p + Vec3(0, s, s)}; };
+    for (const Real x : {0.0, 0.5, 1.0}) CHECK(overlaps(at(Vec3(x)), unit_box));
+    CHECK_FALSE(overlaps(at({1 + 1e-9, 0, 0}), unit_box));
+    INFO("tiny against a box that is as tiny");
+    CHECK(overlaps(at(Vec3(0)), {Vec3(0), Vec3(s)}));
+    CHECK_FALSE(overlaps(Triangle{{3 * s, 0, 0}, {0, 3 * s, 0}, {0, 0, 3 * s}}, {Vec3(0), Vec3(0.9 * s)}));
+}
+
+TEST_CASE("a large slanted triangle is in as many cells as its area asks for", "[09.4]") {
+    const int n = 32;
+    const Triangle diagonal{{0, 0, 0}, {1, 1, 0}, {0, 0.5, 1}};
+    const GridShape shape{unit_box, Cells(n)};
+    int in = 0;
+    for_each_cell(shape.cells, [&](const Cells& cell) { in += overlaps(diagonal, cell_box(shape, cell)); });
+    INFO(in << " of " << n * n * n << " cells; its box alone would be in half of them");
+    CHECK(in > n * n / 2);
+    CHECK(in < 3 * n * n);
+}
+
+TEST_CASE("every shape is in exactly the cells that it overlaps, in ascending order", "[09.5]") {
+    Random random(99);
+    for (int k = 0; k < cases(40); ++k) {
+        const std::vector<Triangle> triangles =
+            some_triangles(random, 1 + static_cast<int>(random.index(60)));
+        Bounds around;
+        for (const Triangle& t : triangles) around = merge(around, bounds_of(t));
+        const Real margin = margin_for(around);
+        const Grid grid = grid_of(triangles, {.density = random.uniform(1, 6), .nested = false});
+
+        CHECK(grid.shape.box == grown(around, margin));
+        REQUIRE(grid.first.size() == static_cast<std::size_t>(total(grid.shape.cells)) + 1);
+        REQUIRE(grid.first.back() == grid.items.size());
+        CHECK(grid.inner.empty());
+        int wrong = 0;
+        std::string first_wrong;
+        for_each_cell(grid.shape.cells, [&](const Cells& cell) {
+            std::vector<std::uint32_t> expected;
+            const Bounds box = grown(cell_box(grid.shape, cell), margin);
+            for (std::uint32_t i = 0; i < triangles.size(); ++i)
+                if (overlaps(triangles[i], box)) expected.push_back(i);
+            if (expected != items_of(grid, cell) && wrong++ == 0)
+                first_wrong = show(cell) + " of " + show(grid.shape.cells) + " lists " +
+                              show(items_of(grid, cell)) + ", expected " + show(expected);
+        });
+        INFO("the first wrong cell " << first_wrong);
+        CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("a shape that ends at a boundary is in the cells on both sides", "[09.5]") {
+    // Eight cubes of edge 1, and a boundary at x = 1; the last triangle is half a margin beyond it.
+    std::vector<Triangle> triangles;
+    for (int k = 0; k < 2; ++k) triangles.push_back({Vec3(2 * k), Vec3(2 * k, 2 * k, 1), Vec3(2 * k, 1, 1)});
+    const Real x = 1 + margin_for({Vec3(0), Vec3(2)}) / 2;
+    triangles.push_back({{x, 0.25, 0.25}, {x, 0.75, 0.25}, {x, 0.25, 0.75}});
+    const Grid grid = grid_of(triangles, {.density = 2.7, .nested = false});
+    REQUIRE(grid.shape.cells == Cells(2));
+    CHECK(items_of(grid, {0, 0, 0}) == std::vector<std::uint32_t>{0, 2});
+    CHECK(items_of(grid, {1, 0, 0}) == std::vector<std::uint32_t>{1, 2});
+    CHECK(items_of(grid, {0, 1, 0}) == std::vector<std::uint32_t>{0});
+}
+
+TEST_CASE("the inside of a sphere is empty, and so are shapes without a point", "[09.5]") {
+    const std::vector<Sphere> spheres{{{0, 0, 0}, 1}};
+    const Grid grid = build_grid(std::span<const Sphere>(spheres), {.density = 729});
+    REQUIRE(grid.shape.cells == Cells(9));
+    CHECK(items_of(grid, Cells(4)).empty());
+    CHECK(items_of(grid, Cells(0)).empty());
+    CHECK(items_of(grid, Cells(0, 4, 4)) == std::vector<std::uint32_t>{0});
+
+    const std::vector<Bounds> bounds{Bounds{}, unit_box, Bounds{}};
+    const Grid one =
+        build_grid(bounds, [&](std::uint32_t i, const Bounds& box) { return overlaps(bounds[i], box); });
+    CHECK(std::ranges::count(one.items, 1u) == static_cast<std::ptrdiff_t>(one.items.size()));
+    CHECK_FALSE(one.items.empty());
+    const Grid none = build_grid(std::span<const Triangle>(), {});
+    CHECK(none.items.empty());
+    CHECK_FALSE(none.first.empty());
+}
+
+TEST_CASE("scenes without thickness, of one point, or of the same shape again and again get grids",
+          "[09.5]") {
+    Random random(910);
+    std::vector<Triangle> flat = some_triangles(random, 500);
+    for (Triangle& t : flat) t.a.y = t.b.y = t.c.y = 3;
+    const Grid sheet = grid_of(flat, {.nested = false});
+    CHECK(sheet.shape.cells.y == 1);
+    CHECK(total(sheet.shape.cells) > 1000);
+
+    const std::vector<Triangle> point(100, Triangle{Vec3(0.1), Vec3(0.1), Vec3(0.1)});
+    CHECK(grid_of(point, {}).shape.cells == Cells(1));
+
+    const std::vector<Triangle> same(400, Triangle{{0, 0, 0}, {1, 1, 0}, {0, 1, 1}});
+    const Grid grid = grid_of(same, {});
+    INFO("the grid takes " << bytes_of(grid) << " bytes for " << same.size() << " shapes");
+    CHECK(bytes_of(grid) < 1000 * same.size());
+}
+
+TEST_CASE("a scene larger by a power of two gets the same grid", "[09.5]") {
+    Random random(911);
+    const std::vector<Triangle> triangles = some_triangles(random, 200);
+    const Grid grid = grid_of(triangles, {});
+    for (const int k : {-300, -40, 1, 40, 300}) {
+        std::vector<Triangle> scaled = triangles;
+        for (Triangle& t : scaled)
+            for (Vec3* p : {&t.a, &t.b, &t.c}) *p *= std::ldexp(1.0, k);
+        const Grid other = grid_of(scaled, {});
+        CAPTURE(k);
+        CHECK(grid.first == other.first);
+        CHECK(grid.items == other.items);
+        CHECK(grid.inner == other.inner);
+    }
+}
+
+TEST_CASE("a crowded cell gets a grid of its own, and no more of them than allowed", "[09.5]") {
+    // A crowd of 400 in a ten-thousandth of the floor.
+    Random random(912);
+    std::vector<Triangle> triangles{{{-1e4, 0, -1e4}, {1e4, 0, -1e4}, {0, 0, 1e4}}};
+    for (int k = 0; k < 400; ++k) triangles.push_back(some_triangle(random, 0.1));
+
+    const Grid uniform = grid_of(triangles, {.nested = false});
+    CHECK(uniform.grids.empty());
+    CHECK(uniform.inner.empty());
+    const Grid nested = grid_of(triangles, {});
+    REQUIRE_FALSE(nested.grids.empty());
+    CHECK(depth_of(nested) <= 4);
+    CHECK(depth_of(grid_of(triangles, {.depth = 2})) == 2);
+    CHECK(depth_of(grid_of(triangles, {.depth = 1})) == 1);
+    CHECK(grid_of(triangles, {.crowd = 1000}).grids.empty());
+
+    REQUIRE(nested.inner.size() + 1 == nested.first.size());
+    std::size_t with_grid = 0;
+    for (std::size_t number = 0; number < nested.inner.size(); ++number) {
+        if (nested.inner[number] == 0) continue;
+        ++with_grid;
+        INFO("cell " << number << " has a grid, and so no items of its own");
+        CHECK(nested.first[number] == nested.first[number + 1]);
+        REQUIRE(nested.inner[number] <= nested.grids.size());
+        CHECK(nested.grids[nested.inner[number] - 1].reach == nested.reach);
+    }
+    CHECK(with_grid == nested.grids.size());
+}
+
+TEST_CASE("wherever a shape has a point, the cell there lists the shape, in inner grids too", "[09.5]") {
+    Random random(913);
+    for (int k = 0; k < cases(60); ++k) {
+        std::vector<Triangle> triangles = some_triangles(random, 100);
+        for (std::size_t i = 0; i < 70; ++i)  // most in a small part
+            for (Vec3* p : {&triangles[i].a, &triangles[i].b, &triangles[i].c}) *p *= 0.001;
+        const Grid grid = grid_of(triangles, {.density = random.uniform(1, 8), .crowd = 4});
+        CHECK_FALSE(grid.grids.empty());
+        for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+            const Triangle& t = triangles[i];
+            const Real b = random.uniform(0, 1), c = random.uniform(0, 1 - b);
+            const Vec3 point = (1 - b - c) * t.a + b * t.b + c * t.c;
+            if (lists(grid, point, i) && lists(grid, t.a, i) && lists(grid, t.b, i)) continue;
+            INFO("triangle " << i << " " << show(t) << ", point " << show(point));
+            FAIL("not listed everywhere");
+        }
+    }
+}
+
+TEST_CASE("maps that rounding distorts widen the margin", "[09.5]") {
+    const auto transform_of = [](const Mat4& m) { return Transform{m, *inverse(m)}; };
+    CHECK(distortion_of(transform_of(translation({1, 2, 3}) * scaling({1e4, 1, 1e-4}))) == 1);
+    CHECK(distortion_of(transform_of(rotation({1, 1, 1}, 1) * scaling({1e4, 1, 1e-4}))) <= 3.01);
+    const Mat4 slanted = scaling({1e4, 1, 1}) * rotation({0, 0, 1}, pi / 4);
+    CHECK(distortion_of(transform_of(slanted)) == Approx(1e4).epsilon(0.01));
+
+    const std::vector<Ellipsoid> ellipsoids(2, {transform_of(slanted)});
+    const Grid grid = build_grid(std::span<const Ellipsoid>(ellipsoids), {});
+    const Bounds box = bounds_of(ellipsoids[0]);
+    CHECK(grid.shape.box.high.x - box.high.x == Approx(1e4 * margin_for(box)).epsilon(0.01));
+}

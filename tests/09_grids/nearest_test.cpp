@@ -1,0 +1,318 @@
+// The nearest hit and any hit by a grid: the same as by asking all, with few questions.
+#include "chapters/02_spheres/sphere.hpp"
+#include "chapters/03_triangles/triangle.hpp"
+#include "chapters/04_transforms/instance.hpp"
+#include "chapters/04_transforms/transform.hpp"
+#include "tests/09_grids/show.hpp"
+#include "tests/catch.hpp"
+#include "tests/stability/grids.hpp"
+#include "tests/support.hpp"
+
+#include <algorithm>
+
+using namespace rt;
+using rt::test::cases;
+using rt::test::Random;
+using rt::test::show;
+
+namespace {
+
+template <class Shape>
+Grid grid_of(const std::vector<Shape>& shapes, const GridOptions& options = {}) {
+    return build_grid(std::span<const Shape>(shapes), options);
+}
+
+template <class Shape>
+std::optional<Hit> nearest(const Grid& grid, const std::vector<Shape>& shapes, const Ray& ray,
+                           Interval range = {}) {
+    Mailbox mailbox;
+    return closest_hit(grid, shapes, ray, range, mailbox);
+}
+
+/// What is counted while `action` runs.
+template <class Action>
+WalkCounts counted(const Action& action) {
+    const WalkCounts before = walk_counts();
+    action();
+    return {walk_counts().cells - before.cells, walk_counts().shapes - before.shapes};
+}
+
+/// How many shapes the mailbox's last ray asked.
+std::uint64_t marked(const Mailbox& mailbox) {
+    return static_cast<std::uint64_t>(std::ranges::count(mailbox.asked_by, mailbox.ray));
+}
+
+/// Spheres of radius 0.4 at 0, 1, ..., count − 1 on the x axis.
+std::vector<Sphere> row_of_spheres(int count) {
+    std::vector<Sphere> spheres;
+    for (int k = 0; k < count; ++k) spheres.push_back({{k, 0, 0}, 0.4});
+    return spheres;
+}
+
+/// A ball of small triangles on a large floor.
+std::vector<Triangle> ball_in_stadium() {
+    const int n = 24;
+    std::vector<Triangle> triangles;
+    const auto at = [&](int i, int j) {
+        const Real u = 2 * pi * i / (2 * n), v = pi * j / n;
+        return Vec3(10 + std::sin(v) * std::cos(u), 1 + std::cos(v), 10 + std::sin(v) * std::sin(u));
+    };
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < 2 * n; ++i) {
+            triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    triangles.push_back({{-1000, 0, -1000}, {-1000, 0, 1000}, {1000, 0, 1000}});
+    triangles.push_back({{-1000, 0, -1000}, {1000, 0, 1000}, {1000, 0, -1000}});
+    return triangles;
+}
+
+/// Camera rays that all pass near the ball.
+std::vector<Ray> rays_at_ball(int count) {
+    Random random(930);
+    std::vector<Ray> rays;
+    for (int k = 0; k < count; ++k) {
+        const Vec3 from(13, 4, 20);
+        rays.push_back({from, Vec3(10, 1, 10) + random.in_cube() - from});
+    }
+    return rays;
+}
+
+}  // namespace
+
+TEST_CASE("the nearest of a row of spheres", "[09.7]") {
+    const std::vector<Sphere> spheres = row_of_spheres(10);
+    const Grid grid = grid_of(spheres);
+    REQUIRE(grid.shape.cells.x > 10);
+    const auto check = [&](const Ray& ray, Interval range, std::uint32_t primitive, Real t) {
+        const std::optional<Hit> hit = nearest(grid, spheres, ray, range);
+        INFO("ray " << show(ray) << " in " << range);
+        REQUIRE(hit);
+        CHECK(hit->primitive == primitive);
+        CHECK(hit->t == Approx(t));
+    };
+    check({{-5, 0, 0}, {1, 0, 0}}, {}, 0, 4.6);
+    check({{15, 0, 0}, {-1, 0, 0}}, {}, 9, 5.6);
+    check({{4.5, 0, 0}, {1, 0, 0}}, {}, 5, 0.1);
+    check({{4, 0, 0}, {0, 2, 0}}, {}, 4, 0.2);
+    check({{-5, 0, 0}, {1, 0, 0}}, {7.5, infinity}, 3, 7.6);
+    CHECK_FALSE(nearest(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {0, 4.5}));
+    CHECK_FALSE(nearest(grid, spheres, {{-5, 0, 0}, {-1, 0, 0}}));
+    CHECK_FALSE(nearest(grid, spheres, {{0.5, -5, 0}, {0, 1, 0}}));
+}
+
+TEST_CASE("a hit in a later cell does not hide a nearer one of another shape", "[09.7]") {
+    // The long triangle is asked first, because it reaches into the first cell, but the ray meets it far
+    // away.
+    const std::vector<Triangle> triangles{{{0, 0.8, 0}, {10, 0.92, 0}, {10, 0.92, 2}},
+                                          {{5, 0, 0}, {5, 2, 0}, {5, 0, 2}}};
+    const Grid grid = grid_of(triangles, {.density = 50});
+    const Ray ray{{-1, 0.9, 0.5}, {1, 0, 0}};
+    const std::optional<Hit> hit = nearest(grid, triangles, ray);
+    REQUIRE(hit);
+    CHECK(hit->primitive == 1);
+    CHECK(hit->t == Approx(6));
+    INFO("a search that stops in the first cell with a hit has to be wrong here");
+    const std::optional<Hit> naive = naive::closest_hit(grid, triangles, ray, {});
+    REQUIRE(naive);
+    CHECK(naive->primitive == 0);
+}
+
+TEST_CASE("of equal distances the lowest index wins, in whichever cell it is met", "[09.7]") {
+    const Triangle t{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}};
+    const std::vector<Triangle> same(20, t);
+    const std::optional<Hit> first = nearest(grid_of(same), same, {{0, 0.2, 0.2}, {1, 0, 0}});
+    REQUIRE(first);
+    CHECK(first->primitive == 0);
+
+    // All pass through the same line, x = y = 5; the last reaches farthest towards the ray and is asked
+    // first.
+    std::vector<Triangle> fan;
+    for (int k = 0; k < 6; ++k) fan.push_back({{5, 5, -1}, {5, 5, 9}, {4.0 - k * 0.75, 5.25 + k, 4}});
+    const Grid grid = grid_of(fan, {.density = 40});
+    const std::optional<Hit> hit = nearest(grid, fan, {{-5, -5, 4}, {1, 1, 0}});
+    REQUIRE(hit);
+    CHECK(hit->t == 10);
+    CHECK(hit->primitive == 0);
+    std::ranges::reverse(fan);
+    const std::optional<Hit> other = nearest(grid_of(fan, {.density = 40}), fan, {{-5, -5, 4}, {1, 1, 0}});
+    REQUIRE(other);
+    CHECK(other->t == 10);
+    CHECK(other->primitive == 0);
+}
+
+TEST_CASE("no shape is asked twice, and none behind the hit", "[09.7]") {
+    Random random(931);
+    std::vector<Triangle> triangles;
+    for (int k = 0; k < 200; ++k)  // long ones, each in many cells
+        triangles.push_back({random.in_cube(), random.in_cube(), random.in_cube()});
+    const Grid grid = grid_of(triangles);
+    Mailbox mailbox;
+    for (int k = 0; k < cases(500); ++k) {
+        const Ray ray{3.0 * random.direction(), random.in_cube() - 2.0 * random.direction()};
+        std::optional<Hit> hit;
+        const WalkCounts counts = counted([&] { hit = closest_hit(grid, triangles, ray, {}, mailbox); });
+        CAPTURE(k, counts.cells, counts.shapes);
+        CHECK(counts.shapes == marked(mailbox));
+        CHECK(counts.shapes <= triangles.size());
+        if (hit) CHECK(counts.shapes >= 1);
+        if (hit) CHECK(counts.cells >= 1);
+    }
+
+    const std::vector<Sphere> spheres = row_of_spheres(100);
+    const Grid row = grid_of(spheres);
+    Mailbox of_row;
+    const WalkCounts first = counted([&] { closest_hit(row, spheres, {{-5, 0, 0}, {1, 0, 0}}, {}, of_row); });
+    INFO("the ray hits the first of 100 spheres, and asked " << first.shapes);
+    CHECK(first.shapes <= 2);
+    CHECK(first.cells <= 4);
+    const WalkCounts none = counted([&] {
+        closest_hit(row, spheres, {{-5, 0.399, 0.399}, {1, 0, 0}}, {}, of_row);
+    });
+    INFO("the ray passes all of them, and asked " << none.shapes);
+    CHECK(none.shapes == marked(of_row));
+    CHECK(none.shapes <= 100);
+}
+
+TEST_CASE("an instance in many cells takes the ray through its mesh once", "[09.7]") {
+    SharedMesh mesh;
+    for (int k = 0; k < 100; ++k) {  // stairs, with nothing where the ray passes
+        const Real y = k * 0.01;
+        mesh.triangles.shapes.push_back({{-1, y, -1}, {1, y + 0.01, -1}, {0, y, -0.2}});
+        mesh.triangles.primitive.push_back(static_cast<std::uint32_t>(k));
+    }
+    mesh.bound = {Vec3(0), 2};
+    mesh.grid = build_grid(std::span<const Triangle>(mesh.triangles.shapes), {.nested = false});
+    mesh.grid.mailbox = 1;
+    const std::vector<SharedMesh> meshes{mesh};
+    const std::vector<Instance> instances(8, Instance{});
+    const Grid grid = build_grid(instances, meshes, {.density = 500, .nested = false});
+    const Ray ray{{-3, 0.505, -0.9}, {1, 0, 0.1}};
+    const std::uint64_t cells_of_grid = cells_along(grid.shape, ray, {}).size();
+    const std::uint64_t cells_of_mesh = cells_along(mesh.grid.shape, ray, {}).size();
+    Mailbox mailbox;
+    std::optional<Hit> hit;
+    const WalkCounts counts = counted([&] { hit = closest_hit(grid, instances, meshes, ray, {}, mailbox); });
+    CAPTURE(cells_of_grid, cells_of_mesh);
+    CHECK(counts.cells <= cells_of_grid + 8 * cells_of_mesh);
+    const std::vector<SharedMesh> plain{{mesh.triangles, mesh.bound, {}}};
+    const std::optional<Hit> expected = closest_hit(instances, plain, ray, {});
+    REQUIRE(hit.has_value() == expected.has_value());
+    if (hit) {
+        CHECK(hit->t == expected->t);
+        CHECK(hit->element == expected->element);
+        CHECK(hit->primitive == 0);
+    }
+}
+
+TEST_CASE("rays from beyond the reach, or with numbers out of range, ask all the shapes", "[09.7]") {
+    const std::vector<Sphere> spheres = row_of_spheres(10);
+    const Grid grid = grid_of(spheres);
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    for (const Ray& ray :
+         {Ray{{-2 * grid.reach, 0, 0}, {1, 0, 0}}, Ray{{0, 3 * grid.reach, 0}, {0, -1e8, 0}},
+          Ray{{-1, 0, 0}, {1, 0, 1e-310}}, Ray{{0, -1, 0}, {0, 1e-290, 0}}, Ray{{nan, 0, 0}, {1, 0, 0}},
+          Ray{{0, 0, 0}, {nan, 0, 0}}, Ray{{0, 0, 0}, {infinity, 0, 0}}}) {
+        Mailbox mailbox;
+        std::optional<Hit> hit;
+        const WalkCounts counts = counted([&] { hit = closest_hit(grid, spheres, ray, {}, mailbox); });
+        const std::optional<Hit> expected = closest_hit(spheres, ray, {});
+        INFO("ray " << show(ray));
+        CHECK(counts.cells == 0);
+        REQUIRE(hit.has_value() == expected.has_value());
+        if (hit) CHECK((hit->t == expected->t && hit->primitive == expected->primitive));
+    }
+}
+
+TEST_CASE("the numbers of rays begin anew after 2^32, and nothing old is mistaken", "[09.7]") {
+    const std::vector<Sphere> spheres = row_of_spheres(10);
+    const Grid grid = grid_of(spheres);
+    const Ray ray{{-5, 0, 0}, {1, 0, 0}};
+    Mailbox mailbox{.ray = 0xffffffffu, .asked_by = std::vector<std::uint32_t>(10, 1)};
+    for (int k = 0; k < 3; ++k) {
+        const std::optional<Hit> hit = closest_hit(grid, spheres, ray, {}, mailbox);
+        REQUIRE(hit);
+        CHECK(hit->primitive == 0);
+    }
+}
+
+TEST_CASE("a ball in a stadium: one grid asks nearly all of it, a grid of grids asks a few", "[09.7]") {
+    const std::vector<Triangle> triangles = ball_in_stadium();
+    const Grid uniform = grid_of(triangles, {.nested = false});
+    const Grid nested = grid_of(triangles);
+    const std::vector<Ray> rays = rays_at_ball(cases(400));
+    Mailbox mailbox;
+    std::size_t different = 0;
+    const auto per_ray = [&](const Grid& grid) {
+        const WalkCounts counts = counted([&] {
+            for (const Ray& ray : rays) closest_hit(grid, triangles, ray, {}, mailbox);
+        });
+        return static_cast<Real>(counts.shapes) / static_cast<Real>(rays.size());
+    };
+    const Real by_one = per_ray(uniform), by_many = per_ray(nested);
+    for (const Ray& ray : rays) {
+        const std::optional<Hit> a = closest_hit(uniform, triangles, ray, {}, mailbox);
+        const std::optional<Hit> b = closest_hit(nested, triangles, ray, {}, mailbox);
+        if (a.has_value() != b.has_value() || (a && (a->t != b->t || a->primitive != b->primitive)))
+            ++different;
+    }
+    INFO("of " << triangles.size() << " triangles a ray asks " << by_one << " by one grid, " << by_many
+               << " by a grid of grids");
+    CHECK(by_one > 0.8 * static_cast<Real>(triangles.size()));
+    CHECK(by_many < 30);
+    CHECK(different == 0);
+}
+
+TEST_CASE("any hit will do, and ends the search", "[09.8]") {
+    const std::vector<Sphere> spheres = row_of_spheres(100);
+    const Grid grid = grid_of(spheres);
+    Mailbox mailbox;
+    CHECK(any_hit(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {}, mailbox));
+    CHECK(any_hit(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {4.5, 4.7}, mailbox));
+    INFO("before the first sphere, between two, and beside all");
+    CHECK_FALSE(any_hit(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {0, 4.5}, mailbox));
+    CHECK_FALSE(any_hit(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {5.45, 5.55}, mailbox));
+    CHECK_FALSE(any_hit(grid, spheres, {{-5, 1, 0}, {1, 0, 0}}, {}, mailbox));
+
+    bool hit = false;
+    const WalkCounts first = counted([&] {
+        hit = any_hit(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {}, mailbox);
+    });
+    CHECK(hit);
+    INFO("the ray hits the first of 100 spheres, and asked " << first.shapes);
+    CHECK(first.shapes == 1);
+}
+
+TEST_CASE("any hit counts wherever on the ray it is: a long shape may be hit far ahead", "[09.8]") {
+    const std::vector<Triangle> triangles{{{0, 0.8, 0}, {10, 0.92, 0}, {10, 0.92, 2}},
+                                          {{5, 0, 0}, {5, 2, 0}, {5, 0, 2}}};
+    const Grid grid = grid_of(triangles, {.density = 50});
+    Mailbox mailbox;
+    bool hit = false;
+    const WalkCounts counts = counted([&] {
+        hit = any_hit(grid, triangles, {{-1, 0.9, 0.5}, {1, 0, 0}}, {}, mailbox);
+    });
+    CHECK(hit);
+    INFO("the first shape in the first cells is hit in the last ones; the other need not be asked");
+    CHECK(counts.shapes == 1);
+}
+
+TEST_CASE("a shadow ray in a crowd asks a few shapes, each once", "[09.8]") {
+    const std::vector<Triangle> triangles = ball_in_stadium();
+    const Grid grid = grid_of(triangles);
+    Mailbox mailbox;
+    std::uint64_t asked = 0, wrong = 0;
+    const std::vector<Ray> rays = rays_at_ball(cases(400));
+    for (const Ray& ray : rays) {
+        bool hit = false;
+        const WalkCounts counts = counted([&] { hit = any_hit(grid, triangles, ray, {}, mailbox); });
+        if (hit != any_hit(triangles, ray, {}) || counts.shapes != marked(mailbox)) ++wrong;
+        asked += counts.shapes;
+    }
+    CHECK(wrong == 0);
+    INFO("asked " << asked << " shapes for " << rays.size() << " rays");
+    CHECK(asked < 30 * rays.size());
+    INFO("a floor alone is hit, and with no grid inside the cell");
+    CHECK(any_hit(grid, triangles, {{500, 3, 400}, {0, -1, 0}}, {}, mailbox));
+    CHECK_FALSE(any_hit(grid, triangles, {{500, 3, 400}, {0, -1, 0}}, {0, 2.9}, mailbox));
+}

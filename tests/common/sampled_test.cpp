@@ -1,0 +1,178 @@
+// Pictures of several samples a pixel: what they cost, how wrong they are, and that they say so.
+#include "chapters/01_ray_casting/camera.hpp"
+#include "common/render/compile.hpp"
+#include "common/render/render.hpp"
+#include "common/render/shade.hpp"
+#include "common/scene/parse.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <cmath>
+
+using namespace rt;
+
+namespace {
+
+const std::string ball =
+    "size 48 36\ncamera 0 1 6 0 0 0 0 1 0 40\nbackground .125 .25 .5\nambient .75 .5 .25\nsphere 0 0 0 1\n"
+    "ambient .25 .5 .75\nsphere 1 1 -1 .75\n";
+
+World world_of(const std::string& text) { return compile(parse_scene_text(text, "s")); }
+
+RenderResult draw(const std::string& text, const RenderOptions& options = {}) {
+    return render(world_of(text), options);
+}
+
+Real rms(const Image& a, const Image& b) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        sum += dot(a.pixels[i] - b.pixels[i], a.pixels[i] - b.pixels[i]);
+    return std::sqrt(sum / static_cast<Real>(3 * a.pixels.size()));
+}
+
+bool same(const Image& a, const Image& b) { return a.pixels == b.pixels; }
+
+}  // namespace
+
+TEST_CASE("one sample a pixel draws no random number and casts one ray through each centre", "[sampled]") {
+    // Whatever the scene says of the pattern.
+    for (const char* more :
+         {"", "spp 1\nsampler random\n", "spp 1\nsampler poisson\nseed 7\nadaptive off\n"}) {
+        const World world = world_of(ball + more);
+        CHECK_FALSE(world.needs.samples);
+        const RenderResult result = render(world);
+        CHECK(result.rays.random_numbers == 0);
+        CHECK(result.rays.camera == 48 * 36);
+        CHECK(result.samples_per_pixel == 1);
+        CHECK_FALSE(result.rms_error.has_value());
+        const RayColor color = color_function(world);
+        for (const int y : {0, 17, 35})
+            for (const int x : {0, 20, 47})
+                CHECK((result.image.pixels[static_cast<std::size_t>(y * 48 + x)] ==
+                       color(world, pixel_ray(world.view, x + 0.5, y + 0.5))));
+    }
+}
+
+TEST_CASE("a single sample stays in the centre where a wide filter shares it", "[sampled]") {
+    const RenderResult result = draw(ball + "filter tent\n");
+    CHECK(result.rays.random_numbers == 0);
+    CHECK_FALSE(result.rms_error.has_value());
+    // The tent of radius 1 is 0 at the neighbours' centres: the picture is that of the centres.
+    CHECK(same(result.image, draw(ball).image));
+}
+
+TEST_CASE("the picture is the same to the bit on any number of threads", "[sampled]") {
+    for (const char* more : {"sampler jittered\n", "sampler poisson\n", "adaptive on\n", "filter mitchell\n",
+                             "filter gaussian\nadaptive on\n"}) {
+        INFO(more);
+        const std::string text = ball + "spp 9\n" + more;
+        RenderOptions options;
+        options.threads = 1;
+        const RenderResult one = draw(text, options);
+        options.threads = 5;
+        const RenderResult many = draw(text, options);
+        CHECK(same(one.image, many.image));
+        CHECK(one.rms_error == many.rms_error);
+        CHECK(one.rays.camera == many.rays.camera);
+        CHECK(one.rays.random_numbers == many.rays.random_numbers);
+    }
+}
+
+TEST_CASE("the seed chooses the random numbers, and nothing else does", "[sampled]") {
+    const std::string text = ball + "spp 4\n";
+    CHECK(same(draw(text).image, draw(text + "seed 0\n").image));
+    CHECK_FALSE(same(draw(text).image, draw(text + "seed 1\n").image));
+    const std::string regular = text + "sampler regular\n";
+    CHECK(same(draw(regular).image, draw(regular + "seed 1\n").image));
+}
+
+TEST_CASE("regular samples are the pixels of a larger picture, averaged", "[sampled]") {
+    const Image fine = draw(ball + "size 144 108\n").image;
+    const Image image = draw(ball + "spp 9\nsampler regular\n").image;
+    Real greatest = 0;
+    for (int y = 0; y < 36; ++y)
+        for (int x = 0; x < 48; ++x) {
+            Vec3 sum(0);
+            for (int j = 0; j < 3; ++j)
+                for (int i = 0; i < 3; ++i)
+                    sum += fine.pixels[static_cast<std::size_t>((3 * y + j) * 144 + 3 * x + i)];
+            const Vec3 difference = abs(sum / Real(9) - image.pixels[static_cast<std::size_t>(y * 48 + x)]);
+            greatest = std::max({greatest, difference.x, difference.y, difference.z});
+        }
+    CHECK(greatest < 1e-15);  // nine additions of numbers below 1
+}
+
+TEST_CASE("a picture of one colour stays so under every sampler and filter, to its borders", "[sampled]") {
+    const std::string wall = "size 20 15\ncamera 0 0 5 0 0 0 0 1 0 40\nbackground .3 .6 .9\n";
+    for (const char* sampler : {"regular", "random", "jittered", "poisson", "trapezoid", "centered"})
+        for (const char* filter : {"box", "tent", "gaussian", "mitchell"}) {
+            INFO(sampler << ", " << filter);
+            const RenderResult result =
+                draw(wall + "spp 10\nsampler " + sampler + "\nfilter " + filter + "\n");
+            for (const Vec3& color : result.image.pixels) {
+                CHECK(std::abs(color.x - 0.3) < 1e-15);
+                CHECK(std::abs(color.z - 0.9) < 1e-15);
+            }
+            REQUIRE(result.rms_error.has_value());
+            CHECK(*result.rms_error < 1e-15);
+        }
+}
+
+TEST_CASE("the estimated error is the true one within a factor of 1.5", "[sampled]") {
+    const Image truth = draw(ball + "spp 4096\nsampler regular\n").image;
+    const Image smooth = draw(ball + "spp 1024\nsampler regular\nfilter gaussian\n").image;
+    for (const char* more : {"sampler random\n", "sampler jittered\n", "sampler poisson\n", "adaptive on\n",
+                             "filter gaussian\n", "filter gaussian\nsampler random\n"}) {
+        INFO(more);
+        const RenderResult result = draw(ball + "spp 16\n" + more);
+        REQUIRE(result.rms_error.has_value());
+        const Real ratio =
+            rms(result.image, std::string(more).starts_with("filter") ? smooth : truth) / *result.rms_error;
+        CHECK(ratio < 1.5);
+        CHECK(ratio > 1 / 1.5);
+    }
+}
+
+TEST_CASE("--error is reached, by passes that are independent", "[sampled]") {
+    const Image truth = draw(ball + "spp 4096\nsampler regular\n").image;
+    for (const Real wanted : {0.02, 0.004}) {
+        RenderOptions options;
+        options.error = wanted;
+        for (const char* more : {"", "sampler random\n", "sampler regular\n", "adaptive on\n"}) {
+            INFO(wanted << " " << more);
+            const RenderResult result = draw(ball + more, options);
+            REQUIRE(result.rms_error.has_value());
+            CHECK(*result.rms_error <= wanted);
+            // Where few samples are enough, one less may be far too few.
+            if (result.samples_per_pixel >= 8) CHECK(*result.rms_error >= 0.9 * wanted);
+            const Real ratio = rms(result.image, truth) / *result.rms_error;
+            CHECK(ratio < 1.5);
+            CHECK(ratio > 1 / 1.5);
+        }
+    }
+}
+
+TEST_CASE("--seconds ends the picture, and each pixel has a colour", "[sampled]") {
+    RenderOptions options;
+    options.seconds = 0.05;
+    for (const char* more : {"", "filter tent\n"}) {
+        const RenderResult result = draw(ball + more, options);
+        CHECK(result.samples_per_pixel >= 1);
+        for (const Vec3& color : result.image.pixels) CHECK(color.z > 0.2);
+        // The clock is the machine's; what can be asked for is that the work ended soon after, not in a
+        // minute.
+        CHECK(result.seconds < 5);
+    }
+    // Not even one sample a pixel is done by then.
+    options.seconds = 1e-9;
+    const RenderResult late = draw(ball, options);
+    CHECK(late.samples_per_pixel == 1);
+    CHECK_FALSE(late.rms_error.has_value());
+}
+
+TEST_CASE("adaptive samples go where colours differ, and as many as were asked for", "[sampled]") {
+    const RenderResult result = draw(ball + "spp 16\nadaptive on\n");
+    const RenderResult uniform = draw(ball + "spp 16\n");
+    CHECK(std::abs(result.samples_per_pixel - 16) < 1e-9);
+    CHECK(*result.rms_error < *uniform.rms_error);
+}

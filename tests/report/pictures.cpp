@@ -1,0 +1,263 @@
+// Pictures of several scenes by several ways of sampling: how wrong they are, and how long they take.
+#include "tests/report/pictures.hpp"
+
+#include "chapters/01_ray_casting/camera.hpp"
+#include "common/render/compile.hpp"
+#include "common/render/render.hpp"
+#include "common/render/shade.hpp"
+#include "common/scene/parse.hpp"
+#include "tests/stability/coverage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace rt::report {
+namespace {
+
+/// What a picture should be, and how sure that is.
+struct Truth {
+    Image image;
+    bool analytic = true;
+    double error = 0;
+    double samples = 0;
+};
+
+// --------------------------------------------------------------------------------------------- scenes
+
+struct Subject {
+    std::string name, title, chapter;
+    std::string file;  ///< below references/, or empty
+    std::string text;  ///< the scene itself, where there is no file
+    Image (*truth)(const World&) = nullptr;  ///< the formula, where there is one
+    bool smooth = false;                     ///< without edges
+};
+
+/// The sphere of the first scene, as the picture shows it; lengths in units of the picture's height.
+constexpr test::Disk disk{{0.0372, -0.0241}, 0.3719};
+
+Image disk_truth(const World& world) {
+    const View& view = world.view;
+    const Real step = 1.0 / view.height;  // the picture is 1 high
+    Image image = make_image(view.width, view.height);
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            const Vec2 low((x - view.width / 2.0) * step, 0.5 - (y + 1) * step);
+            const Real part = test::mean(disk, low, low + step);
+            pixel(image, x, y) = part * Vec3(0.9, 0.6, 0.3) + (1 - part) * Vec3(0.05, 0.1, 0.2);
+        }
+    return image;
+}
+
+/// The 8-point rule of Gauss and Legendre, for the interval [0, 1].
+constexpr std::array<std::pair<Real, Real>, 4> gauss{{{0.1834346424956498, 0.3626837833783620},
+                                                      {0.5255324099163290, 0.3137066458778873},
+                                                      {0.7966664774136267, 0.2223810344533745},
+                                                      {0.9602898564975363, 0.1012285362903763}}};
+
+/// Mean of the colour over each pixel: 8 × 8 points integrate what is smooth to rounding.
+Image smooth_truth(const World& world) {
+    const RayColor color = color_function(world);
+    Image image = make_image(world.view.width, world.view.height);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (const auto& [a, weight_a] : gauss)
+                for (const auto& [b, weight_b] : gauss)
+                    for (const int sign : {0, 1, 2, 3}) {
+                        const Real at_x = x + 0.5 + (sign % 2 == 0 ? a : -a) / 2;
+                        const Real at_y = y + 0.5 + (sign / 2 == 0 ? b : -b) / 2;
+                        pixel(image, x, y) +=
+                            weight_a * weight_b / 4 * color(world, pixel_ray(world.view, at_x, at_y));
+                    }
+    return image;
+}
+
+std::vector<Subject> subjects(bool chapters) {
+    std::vector<Subject> all{
+        {"disk", "A disk on an empty ground", "08", "",
+         "version 1\nintegrator flat\northographic 1\ncamera 0 0 5 0 0 0 0 1 0 45\nbackground .05 .1 .2\n"
+         "ambient 0 0 0\nemission .9 .6 .3\nsphere 0.0372 -0.0241 0 0.3719\n",
+         disk_truth, false},
+        {"sky", "Ray directions, smooth everywhere", "08", "",
+         "version 1\nintegrator directions\ncamera 0 0 0 .3 .2 -1 0 1 0 100\n", smooth_truth, true},
+    };
+    if (chapters) {
+        all.push_back({"highlights", "Highlights on spheres", "05", "05_lighting/highlights.scene", "", nullptr,
+                       false});
+        all.push_back(
+            {"shadows", "Two lamps and their shadows", "06", "06_shadows/shadows.scene", "", nullptr, false});
+        all.push_back({"whitted", "Glass and mirror over a checkerboard", "07", "07_recursion/whitted.scene",
+                       "", nullptr, false});
+    }
+    return all;
+}
+
+Scene read(const Subject& subject, const std::string& repository, int height) {
+    Scene scene = subject.file.empty() ? parse_scene_text(subject.text, subject.name)
+                                       : parse_scene(repository + "/references/" + subject.file);
+    const Real shape = static_cast<Real>(scene.width) / scene.height;
+    scene.height = height;
+    scene.width = static_cast<int>(std::lround(shape * height));
+    return scene;
+}
+
+// -------------------------------------------------------------------------------------------- methods
+
+struct Way {
+    const char* name;
+    Sampler sampler;
+    bool adaptive;
+    double on_edges, on_smooth;  ///< the exponents of theory; 0 where none is printed
+};
+
+constexpr Way ways[] = {
+    {"random", Sampler::Random, false, -0.5, -0.5},  {"regular", Sampler::Regular, false, 0, -1},
+    {"jittered", Sampler::Jittered, false, -0.75, -1}, {"Poisson disk", Sampler::Poisson, false, 0, 0},
+    {"adaptive", Sampler::Jittered, true, 0, 0},
+};
+
+RenderResult render_with(Scene& scene, const Sampling& sampling, const RenderOptions& options) {
+    scene.sampling = sampling;
+    return render(compile(scene), options);
+}
+
+/// Without the further samples that estimate the error.
+RenderOptions drawn_only(int threads) {
+    RenderOptions options;
+    options.threads = threads;
+    options.estimate = false;
+    return options;
+}
+
+double rmse(const Image& image, const Image& truth) {
+    double sum = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const Vec3 off = image.pixels[i] - truth.pixels[i];
+        sum += dot(off, off);
+    }
+    return std::sqrt(sum / (3 * static_cast<double>(image.pixels.size())));
+}
+
+// Seeds of the truth are far from those of the pictures.
+constexpr std::uint64_t truth_seed = 1'000'000;
+
+Truth converged(Scene& scene, const PictureOptions& options, const Told& told) {
+    std::vector<Image> images;
+    for (int i = 0; i < options.truth_renders; ++i) {
+        images.push_back(render_with(scene,
+                                     {options.truth_count, Sampler::Jittered, false, {},
+                                      truth_seed + static_cast<std::uint64_t>(i)},
+                                     drawn_only(0))
+                             .image);
+        told((i + 1.0) / options.truth_renders);
+    }
+    const auto n = static_cast<Real>(images.size());
+    Truth truth{make_image(scene.width, scene.height), false, 0,
+                static_cast<double>(options.truth_count) * options.truth_renders};
+    Real squares = 0;
+    for (std::size_t i = 0; i < truth.image.pixels.size(); ++i) {
+        Vec3& mean = truth.image.pixels[i];
+        for (const Image& image : images) mean += image.pixels[i] / n;
+        for (const Image& image : images) {
+            const Vec3 off = image.pixels[i] - mean;
+            squares += dot(off, off) / (n * (n - 1));
+        }
+    }
+    truth.error = std::sqrt(squares / (3 * static_cast<Real>(truth.image.pixels.size())));
+    return truth;
+}
+
+PicturePoint measure_point(Scene& scene, const Way& way, int count, const Image& truth, int repeats) {
+    PicturePoint point{count, 1, 0, 0, 0, infinity, 0};
+    std::vector<double> seconds, errors, estimates;
+    for (int i = 0; i < repeats; ++i) {
+        const Sampling sampling{count, way.sampler, way.adaptive, {}, static_cast<std::uint64_t>(i)};
+        const RenderResult timed = render_with(scene, sampling, drawn_only(1));
+        seconds.push_back(timed.cpu_seconds);
+        errors.push_back(rmse(timed.image, truth));
+        point.samples = timed.samples_per_pixel;
+        if (count == 1) continue;
+        const Real estimate = render_with(scene, sampling, {}).rms_error.value_or(0);
+        estimates.push_back(estimate);
+        point.ratio_low = std::min(point.ratio_low, errors.back() / estimate);
+        point.ratio_high = std::max(point.ratio_high, errors.back() / estimate);
+    }
+    if (count == 1) point.ratio_low = 0;
+    point.seconds = median(seconds);
+    point.error = root_mean_square(errors);
+    point.estimate = root_mean_square(estimates);
+    return point;
+}
+
+/// What stops a curve: told from where its last points lie and how steep they are.
+std::string what_stopped(const PictureCurve& curve, const Truth& truth) {
+    const PicturePoint& last = curve.points.back();
+    if (truth.error > 0 && last.error < 3 * truth.error)
+        return truth.analytic ? "rounding" : "the truth's own error";
+    const PicturePoint& before = curve.points[curve.points.size() - 2];
+    const double slope = std::log(last.error / before.error) / std::log(last.samples / before.samples);
+    if (slope > curve.by_samples.slope / 2) return "its pattern, which falls on each edge in its own way";
+    return "nothing yet: the samples ended";
+}
+
+PictureScene measure(const Subject& subject, const std::string& repository, const PictureOptions& options,
+                     const Told& told) {
+    Scene scene = read(subject, repository, options.height);
+    PictureScene result{subject.name, subject.title, subject.chapter, scene.width, scene.height, false, 0, 0,
+                        infinity,     {}};
+    const World world = compile(scene);
+    const double truth_part = subject.truth ? 0 : 0.5;
+    const Truth truth =
+        subject.truth
+            ? Truth{subject.truth(world), true, 0x1p-50, 0}
+            : converged(scene, options, [&](double done) { told(truth_part * done); });
+    result.analytic = truth.analytic;
+    result.truth_error = truth.error;
+    result.truth_samples = truth.samples;
+
+    const Way one{"one sample", Sampler::Regular, false, 0, 0};
+    measure_point(scene, one, 1, truth.image, 1);  // the first render of all is slower
+    PictureCurve alone{one.name, {measure_point(scene, one, 1, truth.image, 5)}, {}, {}, 0, ""};
+    result.curves.push_back(alone);
+
+    const double all = std::accumulate(options.counts.begin(), options.counts.end(), 0.0) * std::size(ways);
+    double done = 0;
+    for (const Way& way : ways) {
+        PictureCurve curve{way.name, {}, {}, {}, subject.smooth ? way.on_smooth : way.on_edges, ""};
+        std::vector<double> samples, seconds, errors;
+        for (const int count : options.counts) {
+            const PicturePoint point = measure_point(scene, way, count, truth.image, options.repeats);
+            samples.push_back(point.samples);
+            seconds.push_back(point.seconds);
+            errors.push_back(point.error);
+            result.best = std::min(result.best, point.error);
+            curve.points.push_back(point);
+            done += count;
+            told(truth_part + (1 - truth_part) * done / all);
+        }
+        curve.by_samples = fit_power_law(samples, errors);
+        curve.by_seconds = fit_power_law(seconds, errors);
+        curve.stopped = what_stopped(curve, truth);
+        result.curves.push_back(std::move(curve));
+    }
+    return result;
+}
+
+}  // namespace
+
+PictureOptions quick_pictures() { return {24, {4, 9, 16, 36, 64}, 3, 1600, 4, true}; }
+
+std::vector<PictureScene> measure_pictures(const std::string& repository, const PictureOptions& options,
+                                           const Told& told) {
+    const std::vector<Subject> all = subjects(options.chapters);
+    std::vector<PictureScene> scenes;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        scenes.push_back(measure(all[i], repository, options, [&](double done) {
+            if (told) told((static_cast<double>(i) + done) / static_cast<double>(all.size()));
+        }));
+    return scenes;
+}
+
+}  // namespace rt::report
