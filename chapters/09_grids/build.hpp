@@ -31,7 +31,7 @@ bool overlaps(const Bounds& shape, const Bounds& box);
 struct GridOptions {
     Real density = 4;    ///< cells a shape
     bool nested = true;  ///< cells with more than `crowd` shapes get grids of their own
-    int crowd = 16;
+    int crowd = 32;
     int depth = 4;        ///< at most so many grids inside each other, the outermost counted
     Real distortion = 1;  ///< the greatest of the shapes' transforms: the margin is multiplied by it
 };

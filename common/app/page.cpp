@@ -51,7 +51,10 @@ nav ul { list-style: none; display: flex; flex-wrap: wrap; gap: .4rem 1.2rem; pa
 figure { margin: 0; min-width: 0; }
 figure img { display: block; width: 100%; height: auto; border-radius: 5px; background: #000; }
 figcaption { overflow-wrap: anywhere; font-size: .875rem; color: var(--quiet); margin-top: .35rem; }
-.plots { display: grid; gap: 0 1rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 34rem), 1fr)); align-items: start; }
+.plots {
+  display: grid; gap: 0 1rem; align-items: start;
+  grid-template-columns: repeat(auto-fit, minmax(min(100%, 34rem), 1fr));
+}
 .plots > * { min-width: 0; }
 .plot img { background: none; min-width: 30rem; max-width: 64rem; }
 .plot figcaption { max-width: 46rem; }
@@ -62,6 +65,7 @@ summary { cursor: pointer; color: var(--accent); font-size: .92rem; }
 .cases { display: block; }
 .cases dt { margin-top: .6rem; }
 .problem { overflow-wrap: anywhere; }
+.notes { max-width: 46rem; padding-left: 1.2rem; }
 dl { display: flex; flex-wrap: wrap; gap: .5rem 1.8rem; margin: .9rem 0 0; }
 dl div { min-width: 5rem; }
 dt { font-size: .8rem; color: var(--quiet); }

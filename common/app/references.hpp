@@ -13,13 +13,13 @@ namespace rt {
 
 /// A scene of a chapter and the files that belong to it.
 struct ReferenceScene {
-    std::string chapter;            ///< "02_spheres"
-    std::string name;               ///< of the file, without its ending
-    std::filesystem::path scene;    ///< NAME.scene
-    std::filesystem::path pov;      ///< NAME.pov
-    std::filesystem::path picture;  ///< NAME.png, 16-bit, linear
+    std::string chapter{};            ///< "02_spheres"
+    std::string name{};               ///< of the file, without its ending
+    std::filesystem::path scene{};    ///< NAME.scene
+    std::filesystem::path pov{};      ///< NAME.pov
+    std::filesystem::path picture{};  ///< NAME.png, 16-bit, linear
     /// What NAME.why says: why there is no reference. Empty: there should be one.
-    std::string why_none;
+    std::string why_none{};
 };
 
 /// The scenes in references/CHAPTER: first those that the chapter lists, in its order, then all others.

@@ -20,9 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool available(const std::string& program) {
-    return succeeded(run_process({program, "--version"}));
-}
+bool available(const std::string& program) { return succeeded(run_process({program, "--version"})); }
 
 struct Wanted {
     bool error_time, stability, leave_out;
@@ -32,15 +30,15 @@ struct Wanted {
           stability(what.empty() || what == "stability"),
           leave_out(what.empty() || what == "leave-out") {
         if (!error_time && !stability && !leave_out)
-            throw InputError(fmt::format(
-                "there is no report '{}'; there are error-time, stability and leave-out", what));
+            throw InputError(
+                fmt::format("there is no report '{}'; there are error-time, stability and leave-out", what));
     }
 };
 
 void require(bool there, const std::string& program, const std::string& why, const std::string& package) {
     if (!there)
-        throw InputError(fmt::format("{} is needed {}, and is not installed: sudo apt-get install {}", program,
-                                     why, package));
+        throw InputError(fmt::format("{} is needed {}, and is not installed: sudo apt-get install {}",
+                                     program, why, package));
 }
 
 void build(const Project& project, const Wanted& wanted) {
@@ -155,7 +153,8 @@ int run_report(const ReportCommand& command) {
 
     if (command.json) {
         data["output"] = page.string();
-        if (data.contains("kernels")) data["kernels"].erase("maps");  // thousands of numbers; they are in the CSV
+        if (data.contains("kernels"))
+            data["kernels"].erase("maps");  // thousands of numbers; they are in the CSV
         fmt::print("{}\n", data.dump());
     } else {
         for (const std::string& problem : problems) fmt::print("{} {}\n", paint("✗", Tone::Bad), problem);

@@ -13,10 +13,10 @@ struct ReportCommand {
     bool json = false;
 };
 
-/// Builds and runs the measuring programs, writes their data as CSV, has gnuplot draw them, and writes the page.
-/// Returns 1 if what was measured breaks a demand: a family with a wrong answer, a grid that differs from brute
-/// force, a scene that pays for what it does not need. Throws InputError where gnuplot, valgrind or the
-/// packages of the tests are missing.
+/// Builds and runs the measuring programs, writes their data as CSV, has gnuplot draw them, and writes the
+/// page. Returns 1 if what was measured breaks a demand: a family with a wrong answer, a grid that differs
+/// from brute force, a scene that pays for what it does not need. Throws InputError where gnuplot, valgrind
+/// or the packages of the tests are missing.
 int run_report(const ReportCommand& command);
 
 }  // namespace rt

@@ -64,8 +64,10 @@ struct Page {
         const auto at = std::ranges::find(plots, name, &ReportPlot::name);
         if (at == plots.end()) return "";
         return fmt::format(
-            "<figure class=\"card plot\"><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{1}\"><img "
-            "src=\"{0}.svg\" alt=\"{1}\" width=\"{2}\" height=\"{3}\"></div>\n<figcaption>{4} <span class=\"made\">Made "
+            "<figure class=\"card plot\"><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+            "aria-label=\"{1}\"><img "
+            "src=\"{0}.svg\" alt=\"{1}\" width=\"{2}\" height=\"{3}\"></div>\n<figcaption>{4} <span "
+            "class=\"made\">Made "
             "by <code>{5}</code> from {6} with {7}.</span></figcaption></figure>\n",
             html(name), html(at->alt), at->width, at->height, caption, html(command), link(at->table),
             link(name + ".gp"));
@@ -98,13 +100,18 @@ std::string Page::kernels() const {
     const ReportData& measured = data.at("kernels");
     std::string text =
         "<h2 id=\"kernels\">One intersection: error against time</h2>\n"
-        "<p>Each point is a method of finding t, where a ray meets a sphere or a triangle. To the right is slower, "
-        "up is more wrong: the corner at the lower left is where one wants to be. Dots are the greatest error, crosses "
-        "the one that only 1 case in 10 000 exceeds, and the line reaches down to the median. The unit is κu|t|: what "
-        "rounding the data alone, by a relative u = 2⁻⁵³, does to t. Methods are judged by exact arithmetic.</p>\n"
+        "<p>Each point is a method of finding t, where a ray meets a sphere or a triangle. To the right is "
+        "slower, "
+        "up is more wrong: the corner at the lower left is where one wants to be. Dots are the greatest "
+        "error, crosses "
+        "the one that only 1 case in 10 000 exceeds, and the line reaches down to the median. The unit is "
+        "κu|t|: what "
+        "rounding the data alone, by a relative u = 2⁻⁵³, does to t. Methods are judged by exact "
+        "arithmetic.</p>\n"
         "<div class=\"plots\">\n" +
         plot("kernels_sphere", fmt::format("Spheres: {}.", words(measured.at("sphere_family")))) +
-        plot("kernels_triangle", fmt::format("Triangles: {}.", words(measured.at("triangle_family")))) + "</div>\n";
+        plot("kernels_triangle", fmt::format("Triangles: {}.", words(measured.at("triangle_family")))) +
+        "</div>\n";
     const auto& rows = measured.at("rows");
     for (const auto* shape : {"sphere", "triangle"}) {
         std::vector<std::vector<std::string>> cells;
@@ -112,9 +119,10 @@ std::string Page::kernels() const {
             if (row.at("shape") != shape) continue;
             const std::string name = words(row.at("method"));
             cells.push_back({row.at("course") ? "<strong>" + name + "</strong>, the course's" : name,
-                             words(row.at("number")), number_text(row.at("ns")), number_text(row.at("error_median")),
-                             number_text(row.at("error_9999")), number_text(row.at("error_max")),
-                             number_text(row.at("wrong")), number_text(row.at("undecided"))});
+                             words(row.at("number")), number_text(row.at("ns")),
+                             number_text(row.at("error_median")), number_text(row.at("error_9999")),
+                             number_text(row.at("error_max")), number_text(row.at("wrong")),
+                             number_text(row.at("undecided"))});
         }
         text += table(fmt::format("{} cases with a {}", number_text(rows.front().at("cases")), shape),
                       {"method", "numbers", "ns a call", "median error, κu", "99.99 %", "greatest",
@@ -122,14 +130,19 @@ std::string Page::kernels() const {
                       cells);
     }
     text +=
-        "<p>A call goes through a pointer to a function, for all methods alike. A hit or miss is wrong where moving the "
-        "data by 4 ulp could not excuse it. Intervals never lie: where they can't decide they say so, and their error "
-        "is half the width of what they promise. More digits do not save the textbook formula for spheres: it wants "
+        "<p>A call goes through a pointer to a function, for all methods alike. A hit or miss is wrong where "
+        "moving the "
+        "data by 4 ulp could not excuse it. Intervals never lie: where they can't decide they say so, and "
+        "their error "
+        "is half the width of what they promise. More digits do not save the textbook formula for spheres: "
+        "it wants "
         "twice as many as the answer has.</p>\n"
         "<h3>Where digits are lost</h3>\n" +
         plot("kernels_map",
-             "Correct decimal digits of t, the worst of some rays a cell. To the right the sphere is farther away, "
-             "downwards the ray comes nearer to its rim. Grey: 4 ulp of the data decide between hit and miss. On the "
+             "Correct decimal digits of t, the worst of some rays a cell. To the right the sphere is farther "
+             "away, "
+             "downwards the ray comes nearer to its rim. Grey: 4 ulp of the data decide between hit and "
+             "miss. On the "
              "right is what rounding the data alone would leave.");
     return text;
 }
@@ -137,21 +150,31 @@ std::string Page::kernels() const {
 std::string Page::pictures() const {
     std::string text =
         "<h2 id=\"pictures\">Pictures: error against time</h2>\n"
-        "<p>The same for whole pictures: CPU time of a render on one thread, and the root mean square of its error over "
-        "all pixels and channels, linear. The numbers are exponents of the number of samples, with their 95 % confidence, "
-        "and in brackets the theory's. Random samples err by n<sup>−1/2</sup> whatever the picture. Jittered ones err by "
-        "n<sup>−3/4</sup> on edges and by 1/n where the picture is smooth. Regular ones err by 1/n where it is smooth; on "
-        "edges nobody promises anything, because the same pattern falls on each edge in its own way. Adaptive sampling "
-        "changes the factor and not the exponent; its curve looks steeper because the part of the samples that it spends on "
-        "looking around becomes smaller.</p>\n<div class=\"plots\">\n";
+        "<p>The same for whole pictures: CPU time of a render on one thread, and the root mean square of its "
+        "error over all pixels and channels, linear. The numbers are exponents of the number of samples, "
+        "with "
+        "their 95 % confidence, and in brackets the theory's.</p>\n"
+        "<ul class=\"notes\">\n"
+        "<li>Random samples err by n<sup>−1/2</sup>, whatever the picture.</li>\n"
+        "<li>Jittered ones err by n<sup>−3/4</sup> on edges and by 1/n where the picture is smooth; most "
+        "pictures are in between.</li>\n"
+        "<li>Regular ones err by 1/n where it is smooth. On edges nobody promises anything: the same pattern "
+        "falls on each edge in its own way, and the curve is no straight line.</li>\n"
+        "<li>Poisson disk samples are made for the picture, 64 patterns for all its pixels; the time "
+        "includes "
+        "that.</li>\n"
+        "<li>Adaptive sampling changes the factor and not the exponent. Its curve looks steeper because the "
+        "part of the samples that it spends on looking around becomes smaller.</li>\n"
+        "</ul>\n<div class=\"plots\">\n";
     for (const auto& scene : data.at("pictures")) {
         const std::string truth =
             scene.at("analytic")
                 ? "The truth is a formula."
-                : fmt::format("The truth is a render of {} samples a pixel with a standard error of {}, {:.0f} times "
-                              "better than the best point.",
-                              number_text(scene.at("truth_samples")), number_text(scene.at("truth_error")),
-                              scene.at("best").get<double>() / scene.at("truth_error").get<double>());
+                : fmt::format(
+                      "The truth is a render of {} samples a pixel with a standard error of {}, {:.0f} times "
+                      "better than the best point.",
+                      number_text(scene.at("truth_samples")), number_text(scene.at("truth_error")),
+                      scene.at("best").get<double>() / scene.at("truth_error").get<double>());
         std::string stopped;
         for (const auto& curve : scene.at("curves"))
             if (const std::string by = curve.at("stopped"); !by.empty() && !by.starts_with("nothing"))
@@ -173,10 +196,12 @@ std::string Page::pictures() const {
             if (curve.at("points").size() < 2) continue;
             cells.push_back({words(scene.at("title")), words(curve.at("method")),
                              curve.at("theory") == 0 ? "–" : number_text(curve.at("theory")),
-                             law(curve.at("by_samples")), law(curve.at("by_seconds")), words(curve.at("stopped"))});
+                             law(curve.at("by_samples")), law(curve.at("by_seconds")),
+                             words(curve.at("stopped"))});
         }
     text += table("Exponents of the error, with their 95 % confidence intervals",
-                  {"scene", "method", "theory", "against samples", "against seconds", "what stops the curve"}, cells);
+                  {"scene", "method", "theory", "against samples", "against seconds", "what stops the curve"},
+                  cells);
     return text + honesty();
 }
 
@@ -205,25 +230,33 @@ std::string Page::honesty() const {
         cells.push_back({html(band.method), fmt::format("{} of {}", band.within, band.points),
                          number_text(band.low), number_text(band.high)});
     return "<h3>Does a render know how wrong it is?</h3>\n"
-           "<p>Each render of several samples a pixel estimates its own error from independent patterns. Below is the "
-           "true error over that estimate, all scenes and all numbers of samples together; the demand is a factor "
+           "<p>Each render of several samples a pixel estimates its own error from independent patterns. "
+           "Below is the "
+           "true error over that estimate, all scenes and all numbers of samples together; the demand is a "
+           "factor "
            "1.5.</p>\n<div class=\"plots\">\n" +
-           plot("honesty", "True over estimated error; a point is one scene, one method and one number of samples, all "
-                           "repeats together. Points at the lower rim lie below it.") +
-           table("True over estimated error", {"method", "within 1.5", "least", "greatest"}, cells) + "</div>\n";
+           plot("honesty",
+                "True over estimated error; a point is one scene, one method and one number of samples, all "
+                "repeats together. Points at the lower rim lie below it.") +
+           table("True over estimated error", {"method", "within 1.5", "least", "greatest"}, cells) +
+           "</div>\n";
 }
 
 std::string Page::grids() const {
     const ReportData& measured = data.at("grids");
     std::string text =
         "<h2 id=\"grids\">Grids: what building one costs, and when it pays</h2>\n"
-        "<p>A dented ball of ever more triangles, and rays at it from all sides; one thread. Every answer of the grid was "
-        "compared with that of asking every triangle, to the bit, for as many rays as that is affordable.</p>\n"
+        "<p>A dented ball of ever more triangles, and rays at it from all sides; one thread. Every answer of "
+        "the grid was "
+        "compared with that of asking every triangle, to the bit, for as many rays as that is "
+        "affordable.</p>\n"
         "<div class=\"plots\">\n" +
-        plot("grids_rays", "Rays a second with a grid and without, and how the time of a ray grows with the number N of "
-                           "triangles.") +
-        plot("grids_build", "Time to build, and (right axis) the number of rays from which on building and tracing is "
-                            "faster than asking every triangle.") +
+        plot("grids_rays",
+             "Rays a second with a grid and without, and how the time of a ray grows with the number N of "
+             "triangles.") +
+        plot("grids_build",
+             "Time to build, and (right axis) the number of rays from which on building and tracing is "
+             "faster than asking every triangle.") +
         "</div>\n";
     std::vector<std::vector<std::string>> cells;
     for (const auto& point : measured.at("points"))
@@ -236,30 +269,35 @@ std::string Page::grids() const {
                          number_text(point.at("bytes")),
                          fmt::format("{} of {}", number_text(point.at("different")),
                                      number_text(point.at("brute_rays")))});
-    return text + table("Grids over a dented ball",
-                        {"triangles", "build, ms", "ns a ray", "without grid", "times faster", "pays from, rays",
-                         "cells a ray", "triangles asked a ray", "bytes a triangle", "answers that differ"},
-                        cells);
+    return text +
+           table("Grids over a dented ball",
+                 {"triangles", "build, ms", "ns a ray", "without grid", "times faster", "pays from, rays",
+                  "cells a ray", "triangles asked a ray", "bytes a triangle", "answers that differ"},
+                 cells);
 }
 
 std::string Page::stability() const {
     std::string text =
         "<h2 id=\"stability\">Stability: families made to break a method</h2>\n"
-        "<p>Random cases at the edge of what numbers can hold, judged by exact arithmetic. <em>Too close</em> are cases "
-        "where 4 ulp of the data decide, so that both answers are right. <em>Worst</em> is the greatest error of all, in "
-        "units of the demand: 1 would just be allowed. The textbook's method is asked a tenth of the cases, and has to "
+        "<p>Random cases at the edge of what numbers can hold, judged by exact arithmetic. <em>Too "
+        "close</em> are cases "
+        "where 4 ulp of the data decide, so that both answers are right. <em>Worst</em> is the greatest "
+        "error of all, in "
+        "units of the demand: 1 would just be allowed. The textbook's method is asked a tenth of the cases, "
+        "and has to "
         "fail somewhere: else the families show nothing.</p>\n";
     std::string chapter, details;
     std::vector<std::vector<std::string>> cells;
     const auto finish = [&] {
         if (cells.empty()) return;
-        text += table("Chapter " + chapter,
-                      {"family", "question", "cases", "too close", "wrong", "worst", "demand", "textbook wrong",
-                       "of"},
-                      cells);
+        text += table(
+            "Chapter " + chapter,
+            {"family", "question", "cases", "too close", "wrong", "worst", "demand", "textbook wrong", "of"},
+            cells);
         if (!details.empty())
             text += "<details><summary>Worst cases of chapter " + chapter +
-                    ", as hexadecimal floats</summary>\n<dl class=\"cases\">\n" + details + "</dl></details>\n";
+                    ", as hexadecimal floats</summary>\n<dl class=\"cases\">\n" + details +
+                    "</dl></details>\n";
         cells.clear();
         details.clear();
     };
@@ -275,20 +313,24 @@ std::string Page::stability() const {
                          measured ? words(row.at("demand")) : "right", number_text(naive.at("wrong")),
                          number_text(naive.at("cases"))});
         if (!std::string(stable.at("worst_case")).empty())
-            details += fmt::format("<div><dt>{}, {}</dt><dd><code>{}</code></dd></div>\n",
-                                   words(row.at("question")), words(row.at("family")), words(stable.at("worst_case")));
+            details +=
+                fmt::format("<div><dt>{}, {}</dt><dd><code>{}</code></dd></div>\n", words(row.at("question")),
+                            words(row.at("family")), words(stable.at("worst_case")));
     }
     finish();
-    return text + fmt::format("<p class=\"quiet\">Made by <code>{}</code>; all of it, condition numbers and textbook "
-                              "methods too, is in {}.</p>\n",
-                              html(command), link("stability.csv"));
+    return text + fmt::format(
+                      "<p class=\"quiet\">Made by <code>{}</code>; all of it, condition numbers and textbook "
+                      "methods too, is in {}.</p>\n",
+                      html(command), link("stability.csv"));
 }
 
 std::string Page::leave_out() const {
     std::string text =
         "<h2 id=\"leave-out\">What a scene does not need</h2>\n"
-        "<p>For each feature a scene that does without it is drawn by the course's renderer and by one written by hand for "
-        "just that scene; valgrind counts their instructions. Allowed are 1 % more, or 8 instructions a ray, whichever "
+        "<p>For each feature a scene that does without it is drawn by the course's renderer and by one "
+        "written by hand for "
+        "just that scene; valgrind counts their instructions. Allowed are 1 % more, or 8 instructions a ray, "
+        "whichever "
         "is more.</p>\n" +
         plot("leave_out", "Instructions over those of the minimal renderer; the red bar is what is allowed.");
     std::vector<std::vector<std::string>> cells;
@@ -303,10 +345,12 @@ std::string Page::leave_out() const {
                                           : fmt::format("{:.4f}, not judged", general / minimal),
                          fmt::format("{:.4f}", counts.at("limit").get<double>() / minimal),
                          fmt::format("{:.2f}", counts.at("with_feature").get<double>() / general),
-                         number_text(row.at("bytes").at("general")), number_text(row.at("bytes").at("with_feature"))});
+                         number_text(row.at("bytes").at("general")),
+                         number_text(row.at("bytes").at("with_feature"))});
     }
-    return text + table("A scene without …", {"feature", "instructions a ray", "minimal renderer", "ratio", "allowed",
-                                              "times more with it", "bytes of the world", "with it"},
+    return text + table("A scene without …",
+                        {"feature", "instructions a ray", "minimal renderer", "ratio", "allowed",
+                         "times more with it", "bytes of the world", "with it"},
                         cells);
 }
 
@@ -316,7 +360,8 @@ std::string report_page(const ReportData& data, const std::vector<ReportPlot>& p
                         const std::string& command) {
     const Page page{data, plots, command};
     std::string links, body;
-    const auto add = [&](const char* key, const char* id, const char* name, std::string (Page::*part)() const) {
+    const auto add = [&](const char* key, const char* id, const char* name,
+                         std::string (Page::*part)() const) {
         if (!data.contains(key)) return;
         links += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, name);
         body += "<section>\n" + (page.*part)() + "</section>\n";
@@ -328,8 +373,9 @@ std::string report_page(const ReportData& data, const std::vector<ReportPlot>& p
     add("leave_out", "leave-out", "Leaving out", &Page::leave_out);
 
     const auto& problems = data.at("problems");
-    std::string verdict = "<p>" + html_verdict(problems.empty(), problems.empty() ? "every demand is met"
-                                                                                 : "some demands are not met") +
+    std::string verdict = "<p>" +
+                          html_verdict(problems.empty(), problems.empty() ? "every demand is met"
+                                                                          : "some demands are not met") +
                           "</p>\n";
     if (!problems.empty()) {
         verdict += "<ul>\n";

@@ -23,7 +23,9 @@ std::string cell(const ReportData& value) {
 struct Table {
     std::string text;
 
-    explicit Table(const std::vector<std::string_view>& names) { line(names, [](auto name) { return name; }); }
+    explicit Table(const std::vector<std::string_view>& names) {
+        line(names, [](auto name) { return name; });
+    }
     void row(const std::vector<ReportData>& cells) { line(cells, cell); }
 
     template <class Items, class Text>
@@ -39,8 +41,8 @@ struct Table {
 };
 
 ReportFile kernel_table(const ReportData& kernels) {
-    Table table({"shape", "method", "number", "ns", "error_median", "error_9999", "error_max", "cases", "wrong",
-                 "undecided"});
+    Table table({"shape", "method", "number", "ns", "error_median", "error_9999", "error_max", "cases",
+                 "wrong", "undecided"});
     for (const auto& row : kernels.at("rows"))
         table.row({row.at("shape"), row.at("method"), row.at("number"), row.at("ns"), row.at("error_median"),
                    row.at("error_9999"), row.at("error_max"), row.at("cases"), row.at("wrong"),
@@ -62,8 +64,8 @@ ReportFile map_table(const ReportData& kernels) {
 }
 
 ReportFile picture_table(const ReportData& pictures) {
-    Table table({"scene", "method", "samples_asked", "samples_a_pixel", "cpu_seconds", "rmse", "estimated_rmse",
-                 "least_ratio", "greatest_ratio"});
+    Table table({"scene", "method", "samples_asked", "samples_a_pixel", "cpu_seconds", "rmse",
+                 "estimated_rmse", "least_ratio", "greatest_ratio"});
     for (const auto& scene : pictures)
         for (const auto& curve : scene.at("curves"))
             for (const auto& point : curve.at("points"))
@@ -81,9 +83,9 @@ ReportFile slope_table(const ReportData& pictures) {
             if (curve.at("points").size() < 2) continue;
             const auto &samples = curve.at("by_samples"), &seconds = curve.at("by_seconds");
             table.row({scene.at("name"), curve.at("method"),
-                       curve.at("theory") == 0 ? ReportData(nullptr) : curve.at("theory"), samples.at("slope"),
-                       samples.at("low"), samples.at("high"), seconds.at("slope"), seconds.at("low"),
-                       seconds.at("high"), curve.at("stopped")});
+                       curve.at("theory") == 0 ? ReportData(nullptr) : curve.at("theory"),
+                       samples.at("slope"), samples.at("low"), samples.at("high"), seconds.at("slope"),
+                       seconds.at("low"), seconds.at("high"), curve.at("stopped")});
         }
     return {"slopes.csv", table.text};
 }
@@ -94,8 +96,8 @@ ReportFile grid_table(const ReportData& grids) {
                  "different"});
     for (const auto& point : grids.at("points")) {
         std::vector<ReportData> cells;
-        for (const auto* name : {"triangles", "build_seconds", "grid_ns", "brute_ns", "cells", "asked", "bytes",
-                                 "break_even", "rays", "brute_rays", "different"})
+        for (const auto* name : {"triangles", "build_seconds", "grid_ns", "brute_ns", "cells", "asked",
+                                 "bytes", "break_even", "rays", "brute_rays", "different"})
             cells.push_back(point.at(name));
         table.row(cells);
     }
@@ -155,16 +157,18 @@ std::vector<std::string> report_problems(const ReportData& data) {
     if (data.contains("kernels"))
         for (const auto& row : data.at("kernels").at("rows"))
             if (row.at("course") && (row.at("wrong") > 0 || row.at("error_max") > 8))
-                add(fmt::format("the course's {} is wrong in {} of {} cases, and off by up to {:.3g} κu; 8 are "
-                                "allowed",
-                                std::string(row.at("shape")), row.at("wrong").get<long long>(),
-                                row.at("cases").get<long long>(), row.at("error_max").get<double>()));
+                add(fmt::format(
+                    "the course's {} is wrong in {} of {} cases, and off by up to {:.3g} κu; 8 are "
+                    "allowed",
+                    std::string(row.at("shape")), row.at("wrong").get<long long>(),
+                    row.at("cases").get<long long>(), row.at("error_max").get<double>()));
     if (data.contains("grids"))
         for (const auto& point : data.at("grids").at("points"))
             if (point.at("different") > 0)
-                add(fmt::format("a grid over {:.0f} triangles answers {} of {} rays differently from brute force",
-                                point.at("triangles").get<double>(), point.at("different").get<long long>(),
-                                point.at("brute_rays").get<long long>()));
+                add(fmt::format(
+                    "a grid over {:.0f} triangles answers {} of {} rays differently from brute force",
+                    point.at("triangles").get<double>(), point.at("different").get<long long>(),
+                    point.at("brute_rays").get<long long>()));
     if (data.contains("stability"))
         for (const auto& row : data.at("stability")) {
             if (row.at("stable").at("wrong") == 0) continue;

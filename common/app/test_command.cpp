@@ -192,7 +192,7 @@ int run_test(bool quick, bool json) {
     const std::vector<Chapter> chapters = read_catalogue(project);
     std::vector<Part> parts;
 
-    std::vector<std::string> programs{"test_common", "test_app", "test_leave_out"};
+    std::vector<std::string> programs{"test_common", "test_app", "test_leave_out", "test_report"};
     for (const Chapter& chapter : chapters) programs.push_back("check_" + chapter.number + "_solution");
     std::vector<std::string> good;
     parts.push_back(timed("build", json, [&](Part& part) { good = built(project, programs, part); }));

@@ -243,8 +243,10 @@ struct Picture {
         };
         const std::uint64_t seed = world.sampling.seed;
         // A sixteenth of the pixels, or an eighth of the tiles; more of small pictures.
+        // Where samples are adaptive, what is left of the error is in few pixels.
+        const Real least = world.sampling.adaptive ? 1. / 4 : 1. / 16;
         const Real part = wide_filter() ? std::max(1. / 8, 32. / static_cast<Real>(tiles.size()))
-                                        : std::max(1. / 16, 4096. / static_cast<Real>(size()));
+                                        : std::max(least, 4096. / static_cast<Real>(size()));
         const auto chosen = [&](std::uint64_t i) {
             Random random = random_for(seed, i, choice_pass);
             return random_real(random) < part;

@@ -34,20 +34,22 @@ ReportData family(int wrong) {
 }
 
 ReportData feature(int general, bool judged) {
-    return {{"feature", "shadow rays"},
-            {"judged", judged},
-            {"instructions", {{"general", general}, {"minimal", 1000}, {"limit", 1010}, {"with_feature", 3000}}},
-            {"rays",
-             {{"general", {{"camera", 9}, {"shadow", 1}, {"reflection", 0}, {"refraction", 0}}},
-              {"minimal", {{"camera", 9}, {"shadow", 1}, {"reflection", 0}, {"refraction", 0}}}}},
-            {"bytes", {{"general", 100}, {"with_feature", 200}}}};
+    return {
+        {"feature", "shadow rays"},
+        {"judged", judged},
+        {"instructions", {{"general", general}, {"minimal", 1000}, {"limit", 1010}, {"with_feature", 3000}}},
+        {"rays",
+         {{"general", {{"camera", 9}, {"shadow", 1}, {"reflection", 0}, {"refraction", 0}}},
+          {"minimal", {{"camera", 9}, {"shadow", 1}, {"reflection", 0}, {"refraction", 0}}}}},
+        {"bytes", {{"general", 100}, {"with_feature", 200}}}};
 }
 
 ReportData some_data(int wrong, int instructions, bool judged = true) {
-    ReportData data{{"quick", true},
-                    {"machine", {{"processor", "abacus"}, {"cores", 1}, {"compiler", "g++"}, {"load", nullptr}}},
-                    {"stability", ReportData::array({family(wrong)})},
-                    {"leave_out", ReportData::array({feature(instructions, judged)})}};
+    ReportData data{
+        {"quick", true},
+        {"machine", {{"processor", "abacus"}, {"cores", 1}, {"compiler", "g++"}, {"load", nullptr}}},
+        {"stability", ReportData::array({family(wrong)})},
+        {"leave_out", ReportData::array({feature(instructions, judged)})}};
     data["problems"] = report_problems(data);
     return data;
 }
@@ -69,8 +71,9 @@ TEST_CASE("tables quote what has commas or quotes, and leave out what is no numb
     const std::vector<ReportFile> tables = report_tables(some_data(0, 1000));
     REQUIRE(tables.size() == 2);
     CHECK(tables[0].name == "stability.csv");
-    CHECK(tables[0].content.ends_with("02,\"nearest hit, from \"\"outside\"\"\",far & tiny,2,8κu,10000,3,0,0.25,"
-                                      "Sphere{0x1p+0},,formula,1000,700,Sphere{0x1p-1}\n"));
+    CHECK(tables[0].content.ends_with(
+        "02,\"nearest hit, from \"\"outside\"\"\",far & tiny,2,8κu,10000,3,0,0.25,"
+        "Sphere{0x1p+0},,formula,1000,700,Sphere{0x1p-1}\n"));
     CHECK(tables[1].name == "leave_out.csv");
     CHECK(tables[1].content.ends_with("shadow rays,1000,1000,1.0,1010,3000,9,1,0,0,100,200,true\n"));
 }

@@ -25,7 +25,7 @@ Enclosure enclose_sphere(const Sphere& sphere, const Ray& ray) {
     const Number::Protector upward;
     const Vec d(ray.direction), f = Vec(ray.origin) - Vec(sphere.center);
     const Number a = dot(d, d), h = dot(f, d), along = h / a;
-    const Vec w = f - Vec(Vec(along * d.x, along * d.y, along * d.z));
+    const Vec w = f - Vec(along * d.x, along * d.y, along * d.z);
     const Number r2 = CGAL::square(Number(sphere.radius));
     const Number discriminant = a * (r2 - dot(w, w));
     if (discriminant.sup() < 0) return {};
@@ -51,7 +51,8 @@ Enclosure enclose_triangle(const Triangle& triangle, const Ray& ray) {
     if (std::any_of(volumes, volumes + 3, positive) && std::any_of(volumes, volumes + 3, negative)) return {};
     const Number sum = dot(cross(b - a, c - a), d);
     if (contains_zero(sum)) return {Decision::Unknown, -infinity, infinity};
-    const bool sure = std::all_of(volumes, volumes + 3, positive) || std::all_of(volumes, volumes + 3, negative);
+    const bool sure =
+        std::all_of(volumes, volumes + 3, positive) || std::all_of(volumes, volumes + 3, negative);
     return hit(sure ? Decision::Hit : Decision::Unknown, dot(a, b_c) / sum);
 }
 

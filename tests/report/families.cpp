@@ -60,24 +60,46 @@ constexpr std::size_t usual_part = 10'000;
 constexpr std::size_t rays_a_scene = 100;  ///< of a grid
 
 void add_spheres(std::vector<Task>& tasks, std::size_t cases) {
-    tasks.push_back({{"02", "roots of a quadratic", "coefficients of all sizes", "1, the discriminant is data",
-                      "4u", "textbook formula", {}, {}},
-                     cases, usual_part,
-                     ask<Roots>(
-                         quadratic_cases,
-                         [](const QuadraticCase& q) { return solve_quadratic(q.a, q.h, q.c, q.discriminant); },
-                         [](const QuadraticCase& q) { return naive::solve_quadratic(q.a, q.h, q.c); })});
+    tasks.push_back(
+        {{"02",
+          "roots of a quadratic",
+          "coefficients of all sizes",
+          "1, the discriminant is data",
+          "4u",
+          "textbook formula",
+          {},
+          {}},
+         cases,
+         usual_part,
+         ask<Roots>(
+             quadratic_cases,
+             [](const QuadraticCase& q) { return solve_quadratic(q.a, q.h, q.c, q.discriminant); },
+             [](const QuadraticCase& q) { return naive::solve_quadratic(q.a, q.h, q.c); })});
     for (const SphereFamily& family : sphere_families()) {
-        tasks.push_back({{"02", "both roots of line and sphere", family.name, family.condition, "8κu",
-                          "textbook formula", {}, {}},
-                         cases, usual_part,
+        tasks.push_back({{"02",
+                          "both roots of line and sphere",
+                          family.name,
+                          family.condition,
+                          "8κu",
+                          "textbook formula",
+                          {},
+                          {}},
+                         cases,
+                         usual_part,
                          ask<Roots>(
                              family.make, [](const SphereCase& q) { return intersections(q.sphere, q.ray); },
                              [](const SphereCase& q) { return naive::intersections(q.sphere, q.ray); })});
         tasks.push_back(
-            {{"02", "nearest hit with a sphere", family.name, family.condition, "8κu",
-              "textbook formula, epsilon 1e-4", {}, {}},
-             cases, usual_part,
+            {{"02",
+              "nearest hit with a sphere",
+              family.name,
+              family.condition,
+              "8κu",
+              "textbook formula, epsilon 1e-4",
+              {},
+              {}},
+             cases,
+             usual_part,
              ask<OptionalHit>(
                  family.make, [](const SphereCase& q) { return intersect(q.sphere, q.ray, Interval{}); },
                  [](const SphereCase& q) { return naive::intersect(q.sphere, q.ray, Interval{}); })});
@@ -91,14 +113,21 @@ void add_triangles(std::vector<Task>& tasks, const FamiliesOptions& options) {
     };
     constexpr const char* name = "Möller–Trumbore with its constants";
     for (const TriangleFamily& family : triangle_families())
-        tasks.push_back(
-            {{"03", "hit with a triangle", family.name, family.condition, "8κu", name, {}, {}},
-             options.judged, usual_part, ask<OptionalHit>(family.make, stable, textbook)});
+        tasks.push_back({{"03", "hit with a triangle", family.name, family.condition, "8κu", name, {}, {}},
+                         options.judged,
+                         usual_part,
+                         ask<OptionalHit>(family.make, stable, textbook)});
     for (const SurfaceFamily& family : surface_families()) {
         // A fan has a thousand triangles; each of them is asked.
         const bool fan = family.triangles > 100;
-        tasks.push_back({{"03", "no gaps between triangles", family.name, "exactly at edges and corners", "",
-                          name, {}, {}},
+        tasks.push_back({{"03",
+                          "no gaps between triangles",
+                          family.name,
+                          "exactly at edges and corners",
+                          "",
+                          name,
+                          {},
+                          {}},
                          fan ? options.aimed / 200 : options.aimed,
                          std::max<std::size_t>(1, 2 * usual_part / family.triangles),
                          [=](std::size_t count, std::uint64_t seed, Verdict& right, Verdict* wrong) {
@@ -114,15 +143,29 @@ void add_triangles(std::vector<Task>& tasks, const FamiliesOptions& options) {
                              if (wrong) *wrong = judge(bundles, answers(textbook));
                          }});
     }
-    tasks.push_back({{"03", "sign of an edge function", "nearly parallel vectors", "unbounded: signs are exact",
-                      "", "rounded products", {}, {}},
-                     options.judged, usual_part,
+    tasks.push_back({{"03",
+                      "sign of an edge function",
+                      "nearly parallel vectors",
+                      "unbounded: signs are exact",
+                      "",
+                      "rounded products",
+                      {},
+                      {}},
+                     options.judged,
+                     usual_part,
                      ask<Real>(
                          turn_cases, [](const TurnCase& q) { return edge_function(q.p, q.q); },
                          [](const TurnCase& q) { return q.p.x * q.q.y - q.p.y * q.q.x; })});
-    tasks.push_back({{"03", "barycentric weights", "weights in sixteenths, aspect up to 2^27",
-                      "longest edge over lowest height", "8κu", "Cramer's rule on dot products", {}, {}},
-                     options.judged, usual_part,
+    tasks.push_back({{"03",
+                      "barycentric weights",
+                      "weights in sixteenths, aspect up to 2^27",
+                      "longest edge over lowest height",
+                      "8κu",
+                      "Cramer's rule on dot products",
+                      {},
+                      {}},
+                     options.judged,
+                     usual_part,
                      ask<std::optional<Vec3>>(
                          weight_cases, [](const WeightCase& q) { return barycentric(q.triangle, q.point); },
                          [](const WeightCase& q) { return naive::barycentric(q.triangle, q.point); })});
@@ -132,47 +175,71 @@ void add_triangles(std::vector<Task>& tasks, const FamiliesOptions& options) {
         };
     };
     tasks.push_back(
-        {{"03", "point in polygon", "polygons cut in two", "points on the cut", "",
-          "crossings, not symmetric", {}, {}},
-         options.judged, usual_part,
-         ask<OutlineAnswer>(outline_cases, outline([](const auto& p, const Vec2& at) {
-                                return point_in_polygon(p, at);
-                            }),
-                            outline([](const auto& p, const Vec2& at) {
-                                return naive::point_in_polygon(p, at);
-                            }))});
+        {{"03",
+          "point in polygon",
+          "polygons cut in two",
+          "points on the cut",
+          "",
+          "crossings, not symmetric",
+          {},
+          {}},
+         options.judged,
+         usual_part,
+         ask<OutlineAnswer>(
+             outline_cases, outline([](const auto& p, const Vec2& at) { return point_in_polygon(p, at); }),
+             outline([](const auto& p, const Vec2& at) { return naive::point_in_polygon(p, at); }))});
 }
 
 void add_transforms(std::vector<Task>& tasks, std::size_t cases) {
     // Judging a matrix takes ten times as long as judging a hit.
     const std::size_t matrices = (cases + 3) / 4;
     for (const MatrixFamily& family : matrix_families())
-        tasks.push_back({{"04", "inverse of a matrix", family.name, family.condition, "8κu",
-                          "adjugate over determinant, constant 1e-12", {}, {}},
-                         matrices, usual_part,
+        tasks.push_back({{"04",
+                          "inverse of a matrix",
+                          family.name,
+                          family.condition,
+                          "8κu",
+                          "adjugate over determinant, constant 1e-12",
+                          {},
+                          {}},
+                         matrices,
+                         usual_part,
                          ask<std::optional<Mat4>>(
                              family.make, [](const Mat4& m) { return inverse(m); },
                              [](const Mat4& m) { return naive::inverse(m); })});
     for (const MatrixFamily& family : matrix_families().first(6))
-        tasks.push_back({{"04", "normal of an image", family.name, "of the normal and the tangent", "8κu",
-                          "normal taken for a direction", {}, {}},
-                         matrices, usual_part,
-                         ask<Vec3>(
-                             [&family](std::size_t count, std::uint64_t seed) {
-                                 return normal_cases(family, count, seed);
-                             },
-                             [](const NormalCase& q) {
-                                 Surface local;
-                                 local.normal = local.shading_normal = normalize(q.normal);
-                                 return to_world(q.transform, local).normal;
-                             },
-                             [](const NormalCase& q) {
-                                 return normalize(naive::transform_normal(q.transform.to_world, q.normal));
-                             })});
+        tasks.push_back(
+            {{"04",
+              "normal of an image",
+              family.name,
+              "of the normal and the tangent",
+              "8κu",
+              "normal taken for a direction",
+              {},
+              {}},
+             matrices,
+             usual_part,
+             ask<Vec3>([&family](std::size_t count,
+                                 std::uint64_t seed) { return normal_cases(family, count, seed); },
+                       [](const NormalCase& q) {
+                           Surface local;
+                           local.normal = local.shading_normal = normalize(q.normal);
+                           return to_world(q.transform, local).normal;
+                       },
+                       [](const NormalCase& q) {
+                           return normalize(naive::transform_normal(q.transform.to_world, q.normal));
+                       })});
     for (const EllipsoidFamily& family : ellipsoid_families())
-        tasks.push_back({{"04", "hit with an ellipsoid", family.name, family.condition, "8κu",
-                          "direction made a unit vector", {}, {}},
-                         cases, usual_part,
+        tasks.push_back({{"04",
+                          "hit with an ellipsoid",
+                          family.name,
+                          family.condition,
+                          "8κu",
+                          "direction made a unit vector",
+                          {},
+                          {}},
+                         cases,
+                         usual_part,
                          ask<OptionalHit>(
                              family.make,
                              [](const EllipsoidCase& q) { return intersect(q.ellipsoid, q.ray, Interval{}); },
@@ -185,9 +252,16 @@ void add_transforms(std::vector<Task>& tasks, std::size_t cases) {
 
 void add_shadows(std::vector<Task>& tasks, std::size_t cases) {
     for (const ShadowFamily& family : shadow_families())
-        tasks.push_back({{"06", "shadow ray: self hits and lost occluders", family.name, family.extremes, "",
-                          "fixed epsilon 1e-4", {}, {}},
-                         cases / shadow_families().size(), usual_part,
+        tasks.push_back({{"06",
+                          "shadow ray: self hits and lost occluders",
+                          family.name,
+                          family.extremes,
+                          "",
+                          "fixed epsilon 1e-4",
+                          {},
+                          {}},
+                         cases / shadow_families().size(),
+                         usual_part,
                          [&family](std::size_t count, std::uint64_t seed, Verdict& right, Verdict* wrong) {
                              const std::vector<ShadowCase> questions = make_cases(family, count, seed);
                              const auto verdict = [&](auto method) {
@@ -196,7 +270,11 @@ void add_shadows(std::vector<Task>& tasks, std::size_t cases) {
                                  for (const ShadowCase& q : questions)
                                      rays.push_back(method(q.surface, q.light));
                                  const ShadowVerdict judged = judge(questions, rays);
-                                 return Verdict{judged.cases, 0, judged.self_hits + judged.lost, 0, "",
+                                 return Verdict{judged.cases,
+                                                0,
+                                                judged.self_hits + judged.lost,
+                                                0,
+                                                "",
                                                 judged.first_self_hit.empty() ? judged.first_lost
                                                                               : judged.first_self_hit};
                              };
@@ -231,9 +309,17 @@ void add_optics(std::vector<Task>& tasks, std::size_t cases) {
     };
     for (const InterfaceFamily& family : interface_families()) {
         const auto task = [&](const char* question, const char* demand, Batch batch) {
-            tasks.push_back({{"07", question, family.name, family.condition, demand,
-                              "cosine from 1 - eta²(1 - cos²)", {}, {}},
-                             cases, usual_part, std::move(batch)});
+            tasks.push_back({{"07",
+                              question,
+                              family.name,
+                              family.condition,
+                              demand,
+                              "cosine from 1 - eta²(1 - cos²)",
+                              {},
+                              {}},
+                             cases,
+                             usual_part,
+                             std::move(batch)});
         };
         task("refraction", "8κu",
              [=, &family](std::size_t count, std::uint64_t seed, Verdict& right, Verdict* wrong) {
@@ -281,9 +367,16 @@ Verdict judge_first_cell(const GridScene& scene, std::span<const GridQuestion> q
 
 void add_grids(std::vector<Task>& tasks, std::size_t cases) {
     for (const GridFamily& family : grid_families())
-        tasks.push_back({{"09", "nearest hit by a grid, to the bit", family.name, family.extremes, "",
-                          "stops in the first cell with a hit", {}, {}},
-                         cases / grid_families().size(), 20 * rays_a_scene,
+        tasks.push_back({{"09",
+                          "nearest hit by a grid, to the bit",
+                          family.name,
+                          family.extremes,
+                          "",
+                          "stops in the first cell with a hit",
+                          {},
+                          {}},
+                         cases / grid_families().size(),
+                         20 * rays_a_scene,
                          [&family](std::size_t count, std::uint64_t seed, Verdict& right, Verdict* wrong) {
                              for (std::size_t first = 0; first < count; first += rays_a_scene) {
                                  // Scenes of different batches must differ too.

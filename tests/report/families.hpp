@@ -8,12 +8,13 @@ namespace rt::report {
 
 /// What one family says of the course's method and of the textbook's.
 struct FamilyRow {
-    std::string chapter;    ///< "02"
-    std::string question;   ///< what is asked, such as "nearest hit with a sphere"
+    std::string chapter;   ///< "02"
+    std::string question;  ///< what is asked, such as "nearest hit with a sphere"
     std::string family;
     std::string condition;  ///< what κ is like in the family, or what is extreme
-    std::string demand;     ///< the unit of `stable.worst`, such as "8κu"; empty where answers are right or wrong
-    std::string textbook;   ///< which method `naive` is; empty where there is none
+    std::string
+        demand;  ///< the unit of `stable.worst`, such as "8κu"; empty where answers are right or wrong
+    std::string textbook;  ///< which method `naive` is; empty where there is none
     stability::Verdict stable, naive;
 };
 

@@ -10,14 +10,15 @@ namespace rt::report {
 struct GridPoint {
     double triangles = 0;
     double build_seconds = 0;
-    double grid_ns = 0;      ///< a ray; median of repeats
-    double brute_ns = 0;     ///< a ray that asks every triangle
-    double cells = 0;        ///< entered, a ray
-    double asked = 0;        ///< triangles asked, a ray
-    double bytes = 0;        ///< of the grid, a triangle
-    double break_even = 0;   ///< rays from which on building and using the grid is faster
+    double grid_ns = 0;     ///< a ray; median of repeats
+    double brute_ns = 0;    ///< a ray that asks every triangle
+    double cells = 0;       ///< entered, a ray
+    double asked = 0;       ///< triangles asked, a ray
+    double bytes = 0;       ///< of the grid, a triangle
+    double break_even = 0;  ///< rays from which on building and using the grid is faster
     std::size_t rays = 0, brute_rays = 0;
-    std::size_t different = 0;  ///< of the rays that were traced both ways: answers that are not the same bits
+    std::size_t different =
+        0;  ///< of the rays that were traced both ways: answers that are not the same bits
 };
 
 struct Grids {

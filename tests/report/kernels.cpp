@@ -126,7 +126,8 @@ std::vector<SphereCase> sphere_cases(std::size_t count) {
 }
 
 constexpr const char* triangle_family =
-    "aspect from 1 to 1e4, distance from 0.1 to 1000 edges, half of them seen at cosines from 1e-8 to 1 to the "
+    "aspect from 1 to 1e4, distance from 0.1 to 1000 edges, half of them seen at cosines from 1e-8 to 1 to "
+    "the "
     "normal, half of the rays within 1e-16 to 0.1 edges of an edge, inside or outside";
 
 std::vector<TriangleCase> triangle_cases(std::size_t count) {
@@ -175,8 +176,7 @@ Judged judge(const SphereCase& item, const Answer& answer) {
     const Roots roots = answer.is_hit() ? Roots{2, truth.t0, truth.t1} : Roots{};
     result.wrong = stability::judge(std::span(&item, 1), std::span(&roots, 1)).mismatches > 0;
     if (answer.is_hit() && truth.roots == 2)
-        result.error =
-            (std::abs(truth.error0) + answer.radius) / (unit_roundoff * sensitivity(item, truth));
+        result.error = (std::abs(truth.error0) + answer.radius) / (unit_roundoff * sensitivity(item, truth));
     return result;
 }
 
@@ -242,8 +242,8 @@ std::vector<double> nanoseconds(std::span<const Method<Case>> methods, std::span
 template <class Case>
 void measure(const char* shape, std::span<const Method<Case>> methods, const std::vector<Case>& cases,
              const KernelOptions& options, std::vector<KernelRow>& rows, const Told& told) {
-    const std::vector<double> ns = nanoseconds(
-        methods, std::span<const Case>(cases), options, [&](double part) { told(part / 2); });
+    const std::vector<double> ns =
+        nanoseconds(methods, std::span<const Case>(cases), options, [&](double part) { told(part / 2); });
     for (std::size_t i = 0; i < methods.size(); ++i) {
         KernelRow row;
         row.shape = shape;
@@ -282,8 +282,8 @@ std::vector<DigitsMap> measure_maps(const KernelOptions& options, const Told& to
         return roots.count > 0 ? hit_at(roots.t0) : Answer{};
     };
     constexpr Real distances = 8, tangencies = 16;  // decades
-    std::vector<DigitsMap> maps{{"textbook", {}, {}, {}}, {"stable", {}, {}, {}},
-                                {"what the data allow", {}, {}, {}}};
+    std::vector<DigitsMap> maps{
+        {"textbook", {}, {}, {}}, {"stable", {}, {}, {}}, {"what the data allow", {}, {}, {}}};
     for (DigitsMap& map : maps) {
         for (int i = 0; i < options.map_columns; ++i)
             map.distance.push_back((i + 0.5) * distances / options.map_columns);
@@ -312,8 +312,8 @@ std::vector<DigitsMap> measure_maps(const KernelOptions& options, const Told& to
                 }
                 if (!surely_met) continue;
                 ++met;
-                worst[2] = std::min(
-                    worst[2], digits(unit_roundoff * sensitivity(item, truth) / std::abs(truth.t0)));
+                worst[2] =
+                    std::min(worst[2], digits(unit_roundoff * sensitivity(item, truth) / std::abs(truth.t0)));
             }
             for (std::size_t m = 0; m < 3; ++m)
                 maps[m].digits.push_back(met > 0 ? worst[m] : std::numeric_limits<Real>::quiet_NaN());

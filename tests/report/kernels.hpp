@@ -13,8 +13,8 @@ namespace rt::report {
 /// Told the part of the work that is done, in [0, 1].
 using Told = std::function<void(double)>;
 
-/// One method on one family of cases. Errors are those of t, in units of κu|t|, over the cases that the method
-/// calls a hit and that surely are one; κ as in tests/stability/spheres.hpp and triangles.hpp.
+/// One method on one family of cases. Errors are those of t, in units of κu|t|, over the cases that the
+/// method calls a hit and that surely are one; κ as in tests/stability/spheres.hpp and triangles.hpp.
 struct KernelRow {
     std::string shape;   ///< "sphere" or "triangle"
     std::string method;  ///< such as "textbook"
@@ -24,8 +24,8 @@ struct KernelRow {
     double error_9999 = 0;    ///< exceeded in one case of 10 000
     double error_median = 0;  ///< exceeded in every other
     std::size_t cases = 0;
-    std::size_t wrong = 0;      ///< hits called misses, and the other way round, where 4 ulp of the data can't
-                                ///< excuse it
+    std::size_t wrong = 0;  ///< hits called misses, and the other way round, where 4 ulp of the data can't
+                            ///< excuse it
     std::size_t undecided = 0;  ///< neither answer given: what intervals do
     bool course = false;        ///< the method that the course teaches
 };
@@ -46,8 +46,8 @@ struct Kernels {
 
 struct KernelOptions {
     std::size_t cases = 200'000;
-    int repeats = 15;         ///< of each timing; 0: no timing
-    double repeat_ms = 8;     ///< length of one
+    int repeats = 15;      ///< of each timing; 0: no timing
+    double repeat_ms = 8;  ///< length of one
     int map_columns = 40;
     int map_rows = 34;
     int map_samples = 24;  ///< rays a cell

@@ -29,8 +29,8 @@ struct Truth {
 
 struct Subject {
     std::string name, title, chapter;
-    std::string file;  ///< below references/, or empty
-    std::string text;  ///< the scene itself, where there is no file
+    std::string file;                        ///< below references/, or empty
+    std::string text;                        ///< the scene itself, where there is no file
     Image (*truth)(const World&) = nullptr;  ///< the formula, where there is one
     bool smooth = false;                     ///< without edges
 };
@@ -84,8 +84,8 @@ std::vector<Subject> subjects(bool chapters) {
          "version 1\nintegrator directions\ncamera 0 0 0 .3 .2 -1 0 1 0 100\n", smooth_truth, true},
     };
     if (chapters) {
-        all.push_back({"highlights", "Highlights on spheres", "05", "05_lighting/highlights.scene", "", nullptr,
-                       false});
+        all.push_back({"highlights", "Highlights on spheres", "05", "05_lighting/highlights.scene", "",
+                       nullptr, false});
         all.push_back(
             {"shadows", "Two lamps and their shadows", "06", "06_shadows/shadows.scene", "", nullptr, false});
         all.push_back({"whitted", "Glass and mirror over a checkerboard", "07", "07_recursion/whitted.scene",
@@ -113,7 +113,7 @@ struct Way {
 };
 
 constexpr Way ways[] = {
-    {"random", Sampler::Random, false, -0.5, -0.5},  {"regular", Sampler::Regular, false, 0, -1},
+    {"random", Sampler::Random, false, -0.5, -0.5},    {"regular", Sampler::Regular, false, 0, -1},
     {"jittered", Sampler::Jittered, false, -0.75, -1}, {"Poisson disk", Sampler::Poisson, false, 0, 0},
     {"adaptive", Sampler::Jittered, true, 0, 0},
 };
@@ -147,7 +147,10 @@ Truth converged(Scene& scene, const PictureOptions& options, const Told& told) {
     std::vector<Image> images;
     for (int i = 0; i < options.truth_renders; ++i) {
         images.push_back(render_with(scene,
-                                     {options.truth_count, Sampler::Jittered, false, {},
+                                     {options.truth_count,
+                                      Sampler::Jittered,
+                                      false,
+                                      {},
                                       truth_seed + static_cast<std::uint64_t>(i)},
                                      drawn_only(0))
                              .image);
@@ -205,14 +208,13 @@ std::string what_stopped(const PictureCurve& curve, const Truth& truth) {
 PictureScene measure(const Subject& subject, const std::string& repository, const PictureOptions& options,
                      const Told& told) {
     Scene scene = read(subject, repository, options.height);
-    PictureScene result{subject.name, subject.title, subject.chapter, scene.width, scene.height, false, 0, 0,
-                        infinity,     {}};
+    PictureScene result{
+        subject.name, subject.title, subject.chapter, scene.width, scene.height, false, 0, 0, infinity, {}};
     const World world = compile(scene);
     const double truth_part = subject.truth ? 0 : 0.5;
-    const Truth truth =
-        subject.truth
-            ? Truth{subject.truth(world), true, 0x1p-50, 0}
-            : converged(scene, options, [&](double done) { told(truth_part * done); });
+    const Truth truth = subject.truth
+                            ? Truth{subject.truth(world), true, 0x1p-50, 0}
+                            : converged(scene, options, [&](double done) { told(truth_part * done); });
     result.analytic = truth.analytic;
     result.truth_error = truth.error;
     result.truth_samples = truth.samples;

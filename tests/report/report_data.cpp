@@ -118,12 +118,9 @@ Json to_json(const Grids& grids) {
 }
 
 Json to_json(const stability::Verdict& verdict) {
-    return {{"cases", verdict.cases},
-            {"undecided", verdict.undecided},
-            {"wrong", verdict.mismatches},
-            {"worst", number(verdict.worst)},
-            {"worst_case", verdict.worst_case},
-            {"first_wrong", verdict.first_mismatch}};
+    return {{"cases", verdict.cases},           {"undecided", verdict.undecided},
+            {"wrong", verdict.mismatches},      {"worst", number(verdict.worst)},
+            {"worst_case", verdict.worst_case}, {"first_wrong", verdict.first_mismatch}};
 }
 
 Json to_json(const std::vector<FamilyRow>& rows) {
@@ -146,8 +143,7 @@ void measure(Json& data, const std::string& name, const std::string& label, Meas
     Progress progress(label);
     const auto start = std::chrono::steady_clock::now();
     data[name] = to_json(part([&](double done) { progress.update(done); }));
-    data["seconds"][name] =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    data["seconds"][name] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 int run(std::vector<std::string> arguments) {
@@ -160,7 +156,8 @@ int run(std::vector<std::string> arguments) {
     const bool quick = take("--quick");
     const auto option = std::find(arguments.begin(), arguments.end(), "-o");
     if (option == arguments.end() || option + 1 == arguments.end()) {
-        fmt::print(stderr, "report_data: expected [--quick] -o FILE [kernels] [pictures] [grids] [stability]\n");
+        fmt::print(stderr,
+                   "report_data: expected [--quick] -o FILE [kernels] [pictures] [grids] [stability]\n");
         return 2;
     }
     const std::string file = *(option + 1);
@@ -176,8 +173,9 @@ int run(std::vector<std::string> arguments) {
             return measure_pictures(COURSE_SOURCE_DIR, quick ? quick_pictures() : PictureOptions{}, told);
         });
     if (take("grids"))
-        measure(data, "grids", "grids",
-                [&](const Told& told) { return measure_grids(quick ? quick_grids() : GridsOptions{}, told); });
+        measure(data, "grids", "grids", [&](const Told& told) {
+            return measure_grids(quick ? quick_grids() : GridsOptions{}, told);
+        });
     if (take("stability"))
         measure(data, "stability", "stability", [&](const Told& told) {
             return measure_families(quick ? quick_families : FamiliesOptions{}, told);

@@ -141,7 +141,8 @@ TEST_CASE("errors of pictures fall with the number of samples as theory says") {
     CHECK(curve("sky", "regular").by_samples.slope == Approx(-1).margin(0.01));
 }
 
-TEST_CASE("at equal samples jittered is better than random, and adaptive better than uniform on sparse edges") {
+TEST_CASE(
+    "at equal samples jittered is better than random, and adaptive better than uniform on sparse edges") {
     const auto error = [](const std::string& name, const std::string& method, int count) {
         for (const PicturePoint& point : curve(name, method).points)
             if (point.asked == count) return point.error;
@@ -181,14 +182,17 @@ TEST_CASE("a grid asks few triangles, ever fewer of them all, and answers as bru
         INFO(point.triangles << " triangles");
         CHECK(point.asked < point.triangles / 50);
         CHECK(point.different == 0);
-        CHECK(point.bytes > 4);   // a triangle is listed at least once, with 4 bytes,
+        CHECK(point.bytes > 4);    // a triangle is listed at least once, with 4 bytes,
         CHECK(point.bytes < 200);  // and not in dozens of cells
     }
-    // The ball's surface crosses some N^(2/3) of N cells, with N^(1/3) along a ray; a third is the worst case.
+    // The ball's surface crosses some N^(2/3) of N cells, with N^(1/3) along a ray; a third is the worst
+    // case.
     CHECK(grids.asked.slope < 0.35);
 }
 
-TEST_CASE("the families at a small size: the course's methods are right, and the textbook's fail in every chapter") {
+TEST_CASE(
+    "the families at a small size: the course's methods are right, and the textbook's fail in every "
+    "chapter") {
     std::size_t naive[10] = {};
     for (const FamilyRow& family : measure_families({1'000, 4'000})) {
         INFO(family.chapter << " " << family.question << ", " << family.family << ": "
@@ -198,5 +202,5 @@ TEST_CASE("the families at a small size: the course's methods are right, and the
         CHECK(family.stable.worst <= 1);
         naive[std::stoul(family.chapter)] += family.naive.mismatches;
     }
-    for (const std::size_t chapter : {2, 3, 4, 6, 7, 9}) CHECK(naive[chapter] > 0);
+    for (const std::size_t chapter : {2u, 3u, 4u, 6u, 7u, 9u}) CHECK(naive[chapter] > 0);
 }

@@ -1,4 +1,5 @@
-// Few numbers from many measurements: medians, quantiles, and the exponent of a power law with its confidence.
+// Few numbers from many measurements: medians, quantiles, and the exponent of a power law with its
+// confidence.
 #pragma once
 
 #include <span>
