@@ -51,8 +51,8 @@ std::optional<Hit> closest_hit(std::span<const Instance> instances, std::span<co
                                const Ray& ray, Interval range) {
     // 04.6  For each instance: take the ray to its local space. If it misses the mesh's bounding
     // sphere (the function `misses` above says so), go on to the next. Else ask for the closest hit with
-    // the mesh, closest_hit(mesh, local, range): its `primitive` is the triangle, which belongs into `element`;
-    // `primitive` becomes the instance's index. Keep the nearest, the first of equal ones.
+    // the mesh, closest_hit(mesh, local, range): its `primitive` is the triangle, which belongs into
+    // `element`; `primitive` becomes the instance's index. Keep the nearest, the first of equal ones.
     return todo("04.6");
 }
 

@@ -119,10 +119,11 @@ std::size_t refine(const Task& task, Grid& grid, int depth) {
         const std::span<const std::uint32_t> shapes{grid.items.data() + begin, end - begin};
         std::optional<Grid> inner;
         // 09.5  Where there are more than task.options.crowd shapes in the cell, make `inner` the
-        // flat grid over them with at most 4 · (number of shapes) entries. Its box is what the cell and the
-        // box around the bounds of its shapes, each grown by the margin, have in common; shape_for gives its
-        // cells. Where that lists more, try with half as many cells along each axis. With one cell it would
-        // be of no use: leave it out. The inner grid may have crowded cells, too.
+        // flat grid over them. Its box is what the cell and the box around the bounds of its shapes, each
+        // grown by the margin, have in common; shape_for gives its cells. It may list at most 4 · (number of
+        // shapes) entries, and at most a quarter of the shapes in an average cell; while it would list more,
+        // halve the numbers of its cells, rounded up, and try again. With one cell it would be of no use. It
+        // may have crowded cells, too.
         return todo("09.5");
         grid.first[number] = kept;
         if (inner) {
@@ -221,7 +222,9 @@ Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const 
                     .reach = 0x1p16 * edge};
     GridShape shape = shape_for(task, grown(around, task.margin), shapes.size());
     std::optional<Grid> grid;
-    while (!(grid = flat_grid(task, shape, shapes, 32 * shapes.size()))) shape.cells = (shape.cells + 1) / 2;
+    const auto most =
+        static_cast<std::size_t>(8 * std::max(options.density, Real(1)) * static_cast<Real>(shapes.size()));
+    while (!(grid = flat_grid(task, shape, shapes, most))) shape.cells = (shape.cells + 1) / 2;
     if (options.nested) refine(task, *grid, 1);
     return std::move(*grid);
 }

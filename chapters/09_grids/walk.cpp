@@ -19,15 +19,15 @@ struct Axis {
     Real t0 = 0;           ///< where the ray meets boundary number 0, and
     Real delta = 0;        ///< how much farther on the next: boundary number i is at t0 + i · delta
     Real next = infinity;  ///< where the ray leaves the current cell
-    int cell = 0;
-    int step = 0;   ///< +1, −1, or 0 where the ray stays between two boundaries for ever
-    int ahead = 0;  ///< 1 where the boundary ahead of the ray is number cell + 1, 0 where it is number cell
-    int last = 0;   ///< the last cell before the ray leaves the box
+    int boundary = 0;      ///< the number of the boundary there
+    int step = 0;          ///< +1, −1, or 0 where the ray stays between two boundaries for ever
+    int last = 0;          ///< the last boundary: behind it is no cell
+    int stride = 0;        ///< how much greater the number of the next cell is
 };
 
-/// Calls visit(cell, part of the ray in it) for the cells along the ray in order, until a call returns true
-/// or the range or the grid ends. Returns whether a call did. The ray is in the box all over the range, up to
-/// rounding.
+/// Calls visit(number of the cell, part of the ray in it) for the cells along the ray in order, until a call
+/// returns true or the range or the grid ends. Returns whether a call did. The ray is in the box all over the
+/// range, up to rounding.
 template <class Visit>
 bool walk(const GridShape& shape, const Ray& ray, Interval range, const Visit& visit) {
     // 09.6  Set up the three axes. cell_size is edge/cells, t0 = (low − o)/d, delta = cell_size/d.
@@ -36,7 +36,7 @@ bool walk(const GridShape& shape, const Ray& ray, Interval range, const Visit& v
     // that rounds, step by step until boundaries t0 + i · delta that are computed as below say the same.
     //
     // In the loop, the ray leaves the cell where the least of the three `next` is. Visit the cell; stop where
-    // the walk has come beyond range.max or to the last cell of that axis; else move on by one cell, and
+    // the walk has come beyond range.max or to the last boundary of that axis; else move on by one cell, and
     // compute the new `next` from the number of its boundary, not from the old one.
     return todo("09.6");
 }
@@ -92,10 +92,9 @@ template <class Look>
 bool search_grid(const Grid& grid, Search& search, Interval part, const Look& look) {
     const std::optional<Interval> inside = clip(grid.shape.box, search.ray, part);
     if (!inside) return false;
-    const Cells& cells = grid.shape.cells;
-    return walk(grid.shape, search.ray, *inside, [&](const Cells& cell, Interval t) -> bool {
+    return walk(grid.shape, search.ray, *inside, [&](std::size_t number, Interval t) -> bool {
         ++search.counts.cells;
-        return look(static_cast<std::size_t>((cell.z * cells.y + cell.y) * cells.x + cell.x), t);
+        return look(number, t);
     });
 }
 
@@ -179,8 +178,9 @@ std::vector<CellVisit> cells_along(const GridShape& shape, const Ray& ray, Inter
     std::vector<CellVisit> visits;
     const std::optional<Interval> inside = clip(shape.box, ray, range);
     if (!inside) return visits;
-    walk(shape, ray, *inside, [&](const Cells& cell, Interval t) {
-        visits.push_back({cell, t});
+    walk(shape, ray, *inside, [&](std::size_t number, Interval t) {
+        const int n = static_cast<int>(number), x = n % shape.cells.x, yz = n / shape.cells.x;
+        visits.push_back({{x, yz % shape.cells.y, yz / shape.cells.y}, t});
         return false;
     });
     return visits;

@@ -91,7 +91,7 @@ TEST_CASE("every point of a shape is in its box, and each face of the box is tou
     }
 }
 
-TEST_CASE("a polygon's box holds the places where rays hit it, flat or not", "[09.1]") {
+TEST_CASE("a polygon's box holds the places where rays hit it, flat or not", "[given]") {
     Random random(92);
     int hits = 0;
     for (int k = 0; k < cases(5000); ++k) {

@@ -41,7 +41,7 @@ struct PictureOptions {
     std::vector<int> counts{4, 9, 16, 36, 64, 144, 256};  ///< samples a pixel
     int repeats = 4;                                      ///< renders a point, each of another seed
     int truth_count = 4096;                               ///< samples a pixel of one render of the truth
-    int truth_renders = 6;
+    int truth_renders = 8;
     bool chapters = true;  ///< scenes of chapters 5 to 7 too, not only those with a formula
 };
 
