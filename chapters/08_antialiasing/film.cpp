@@ -28,7 +28,8 @@ struct Sum {
     for (int i = 0; i < 3; ++i) {
         const Sum sum = plus(Sum{pixel.sum[i], pixel.lost[i]}, color[i]);
         pixel.sum[i] = sum.sum;
-        pixel.lost[i] = sum.lost;
+        // An infinite sum has lost nothing that a number could say.
+        pixel.lost[i] = std::isfinite(sum.sum) ? sum.lost : 0;
     }
     const Sum sum = plus(Sum{pixel.weight, pixel.lost_weight}, weight);
     pixel.weight = sum.sum;
@@ -49,7 +50,8 @@ Real filter_weight(const Filter& filter, const Vec2& offset) {
 }
 
 FilmPixel add(const FilmPixel& pixel, const Vec3& color, Real weight) {
-    return plus(pixel, weight * color, weight);
+    // Nothing of an infinite colour is nothing, not NaN.
+    return weight == 0 ? pixel : plus(pixel, weight * color, weight);
 }
 
 Vec3 color_of(const FilmPixel& pixel) {

@@ -36,9 +36,9 @@ Bounds grown(const Bounds& box, Real by);
 ///
 /// The box is closed: a ray along a face, an edge, or through a corner is inside there. A direction of ±0
 /// along some axis is right too: such a ray is inside that pair of planes everywhere or nowhere. The result
-/// contains every t in [range.min, range.max] whose exact point lies in the box, short of overflow: each
-/// computed distance is widened by gamma(3), its two roundings and one more for the widening (Ize 2013). An
-/// empty box is always missed.
+/// contains every t in [range.min, range.max] whose exact point lies in the box, short of over- and
+/// underflow: each computed distance is widened by gamma(3), its two roundings and one more for the widening
+/// (Ize 2013). An empty box is always missed.
 std::optional<Interval> clip(const Bounds& box, const Ray& ray, Interval range);
 
 }  // namespace rt

@@ -131,7 +131,8 @@ std::size_t refine(const Task& task, Grid& grid, int depth) {
             grid.grids.push_back(std::move(*inner));
             grid.inner[number] = static_cast<std::uint32_t>(grid.grids.size());
         } else {
-            std::copy(shapes.begin(), shapes.end(), grid.items.begin() + kept);
+            // Nothing has moved yet where no cell before this one has an inner grid.
+            if (kept != begin) std::copy(shapes.begin(), shapes.end(), grid.items.begin() + kept);
             kept += end - begin;
         }
         begin = end;
@@ -222,8 +223,9 @@ Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const 
                     .reach = 0x1p16 * edge};
     GridShape shape = shape_for(task, grown(around, task.margin), shapes.size());
     std::optional<Grid> grid;
-    const auto most =
-        static_cast<std::size_t>(8 * std::max(options.density, Real(1)) * static_cast<Real>(shapes.size()));
+    // Places in the list have 32 bits.
+    const auto most = static_cast<std::size_t>(std::min(
+        8 * std::max(options.density, Real(1)) * static_cast<Real>(shapes.size()), Real(0xffffffff)));
     while (!(grid = flat_grid(task, shape, shapes, most))) shape.cells = (shape.cells + 1) / 2;
     if (options.nested) refine(task, *grid, 1);
     return std::move(*grid);

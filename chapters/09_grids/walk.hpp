@@ -23,11 +23,11 @@ struct CellVisit {
 /// in the cell up to the grid's margin.
 std::vector<CellVisit> cells_along(const GridShape& shape, const Ray& ray, Interval range);
 
-/// [09.7] Nearest hit with the shapes in (range.min, range.max], or nothing: to the bit that of asking them
-/// all in order, found by asking each shape at most once and only those in the cells up to the hit.
-/// `Hit::primitive` is the index into `shapes`; of equal distances the lowest wins. `mailbox` has room for
-/// all the shapes or grows; rays that start beyond the grid's reach, or have a coordinate that is not finite,
-/// ask all.
+/// [09.7] Nearest hit with the shapes in (range.min, range.max], or nothing: to the bit (short of
+/// underflow, in scenes smaller than about 1e-80) that of asking them all in order, found by asking each
+/// shape at most once and only those in the cells up to the hit. `Hit::primitive` is the index into `shapes`;
+/// of equal distances the lowest wins. `mailbox` has room for all the shapes or grows; rays that start beyond
+/// the grid's reach, or have a coordinate that is not finite, ask all.
 std::optional<Hit> closest_hit(const Grid& grid, std::span<const Sphere> shapes, const Ray& ray,
                                Interval range, Mailbox& mailbox);
 std::optional<Hit> closest_hit(const Grid& grid, std::span<const Triangle> shapes, const Ray& ray,

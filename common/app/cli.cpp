@@ -103,7 +103,8 @@ void add_pictures(Line& line) {
                     "go on with more samples until the RMS error is about so small, such as 0.002")
         ->check(CLI::Range(1e-6, 1.0))
         ->excludes(samples);
-    sub->add_option("--seed", line.render.seed, "which random numbers are used");
+    sub->add_option("--seed", line.render.seed, "which random numbers are used")
+        ->check(CLI::Range(0.0, 0x1p53 - 1));
     CLI::Option* solutions =
         sub->add_flag("--solutions", line.render.solutions, "with the solutions of all chapters");
     sub->add_flag("--mine", line.render.mine, "with your code for all chapters, also where it does not pass")

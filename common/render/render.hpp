@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace rt {
 
@@ -25,7 +26,8 @@ struct RenderOptions {
 struct RenderResult {
     Image image;
     RayCounts rays;
-    Real samples_per_pixel = 1;  ///< on average
+    Real samples_per_pixel = 1;  ///< on average, with those that tell where adaptive ones go
+    std::vector<int> counts;     ///< samples of each pixel, row by row, where they are adaptive; else empty
     /// Estimated root mean square error of all pixels and channels, linear, that comes from finite sampling;
     /// nothing where there is one sample a pixel.
     std::optional<Real> rms_error;

@@ -27,8 +27,10 @@ constexpr std::uint64_t pilot_pass = std::uint64_t(1) << 41;
 constexpr std::uint64_t pattern_pass = std::uint64_t(1) << 42;
 constexpr std::uint64_t choice_pass = std::uint64_t(1) << 43;
 
+constexpr std::size_t film_part = 1 << 16;    ///< samples that are put on the film together
 constexpr std::size_t poisson_patterns = 64;  ///< that the pixels of a picture share
 constexpr int passes_wanted = 16;             ///< for a given time or error: so that one more is a small step
+constexpr int least_passes = 4;  ///< for a given error: two that agree by chance would end the picture
 
 /// The patterns of samples that a picture's pixels have.
 struct Patterns {
@@ -96,6 +98,31 @@ struct Patterns {
     }
 };
 
+/// A second pattern that tells how wrong a first one is.
+struct Probe {
+    int count;           ///< of its samples
+    std::uint64_t pass;  ///< for which it is made
+    Real scale;          ///< by which the variance between the two is that of two independent patterns
+};
+
+/// For random patterns one more of the same kind. Patterns that are not random have no independent ones:
+/// there it is one of about half as many samples along each axis. With k times as many the error is k² times
+/// as small where colours are smooth, and k^1.5 times at edges, where the two errors are as good as
+/// independent: the difference is k² − 1 or √(k³ + 1) times the first pattern's error. For k = 2 both are 3;
+/// else the truth is between them.
+Probe probe_of(Sampler sampler, int count) {
+    const Probe independent{count, probe_pass, 1};
+    if (sampler == Sampler::Random || sampler == Sampler::Jittered || sampler == Sampler::Poisson)
+        return independent;
+    const int more = sampler == Sampler::Centered ? 1 : 0;
+    const int ends = sampler == Sampler::Trapezoid ? 1 : 0;
+    const int side = static_cast<int>(std::sqrt(static_cast<Real>(count - more))) - ends;
+    if (side < 2) return independent;  // moved at random
+    const int half = (side + 1) / 2;
+    const Real k = static_cast<Real>(side) / half;
+    return {(half + ends) * (half + ends) + more, 0, 2 / ((k * k - 1) * std::sqrt(k * k * k + 1))};
+}
+
 /// What is known of a pixel after some passes.
 struct Running {
     FilmPixel sum;       ///< of the passes' colours; its weight is their number
@@ -153,18 +180,28 @@ struct Picture {
         return samples;
     }
 
-    /// The samples of all the pixels of an area, as the film wants them.
-    std::vector<FilmSample> film_samples(const Patterns& patterns, const Tile& area,
-                                         std::uint64_t pass) const {
+    /// Sums for the pixels of `area`, over the samples of those in `sampled`.
+    std::vector<FilmPixel> film(const Patterns& patterns, const Tile& sampled, std::uint64_t pass,
+                                const Tile& area) const {
+        std::vector<FilmPixel> sums(static_cast<std::size_t>(width(area)) *
+                                    static_cast<std::size_t>(height(area)));
         std::vector<FilmSample> samples;
-        each_pixel(area, [&](int x, int y) {
+        // Part by part, so that not all the samples of many are kept at once.
+        const auto expose = [&] {
+            const std::vector<FilmPixel> part = film_of(samples, world.sampling.filter, area);
+            for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = merge(sums[i], part[i]);
+            samples.clear();
+        };
+        each_pixel(sampled, [&](int x, int y) {
             for (const PixelSample& sample : pattern(patterns, x, y, pass)) {
                 const Vec2 at(x + sample.at.x, y + sample.at.y);
                 const PixelSample alone{sample.at, 1};
                 samples.push_back({at, sample_pixel(world, x, y, {&alone, 1}, color), sample.weight});
             }
+            if (samples.size() >= film_part) expose();
         });
-        return samples;
+        expose();
+        return sums;
     }
 
     void make_pass(const Patterns& patterns, std::uint64_t pass, const std::function<bool()>& stop,
@@ -198,19 +235,16 @@ struct Picture {
         const auto area = [&](std::size_t i) { return in_picture(grown(tiles[i], margin())); };
         in_parallel(
             tiles.size(), result.rays,
-            [&](std::size_t i) {
-                sums[i] = film_of(film_samples(patterns, tiles[i], pass), world.sampling.filter, area(i));
-            },
-            done);
-        std::vector<FilmPixel> film(size());
+            [&](std::size_t i) { sums[i] = film(patterns, tiles[i], pass, area(i)); }, done);
+        std::vector<FilmPixel> whole(size());
         for (std::size_t i = 0; i < tiles.size(); ++i) {
             auto sum = sums[i].begin();
             each_pixel(area(i), [&](int x, int y) {
-                FilmPixel& pixel = film[index(x, y)];
+                FilmPixel& pixel = whole[index(x, y)];
                 pixel = merge(pixel, *sum++);
             });
         }
-        for (std::size_t i = 0; i < film.size(); ++i) pixels[i].take(color_of(film[i]));
+        for (std::size_t i = 0; i < whole.size(); ++i) pixels[i].take(color_of(whole[i]));
     }
 
     /// The root mean square error of the mean of the passes, from the variance between them.
@@ -234,11 +268,14 @@ struct Picture {
             std::size_t pixels = 0;
         };
         std::vector<Sum> sums(tiles.size());
+        const Probe other = probe_of(patterns.sampler, patterns.count);
+        const Patterns probes =
+            other.count == patterns.count ? patterns : Patterns(world, patterns.sampler, other.count);
         const auto probe = [&](Sum& sum, int x, int y, const Vec3& second) {
             const Vec3 both[2] = {pixels[index(x, y)].mean, second};
             // The variance of one estimate is twice that of the mean of two.
             const Vec3 error = estimate(both).standard_error;
-            sum.squares += 2 * sum_of(error * error);
+            sum.squares += 2 * other.scale * sum_of(error * error);
             ++sum.pixels;
         };
         const std::uint64_t seed = world.sampling.seed;
@@ -251,24 +288,23 @@ struct Picture {
             Random random = random_for(seed, i, choice_pass);
             return random_real(random) < part;
         };
-        in_parallel(
-            tiles.size(), result.rays,
-            [&](std::size_t i) {
-                if (!wide_filter()) {
-                    each_pixel(tiles[i], [&](int x, int y) {
-                        if (!chosen(patterns.index(x, y))) return;
-                        probe(sums[i], x, y,
-                              sample_pixel(world, x, y, pattern(patterns, x, y, probe_pass), color));
-                    });
-                } else if (chosen(i)) {
-                    const Tile area = in_picture(grown(tiles[i], margin()));
-                    const std::vector<FilmPixel> film =
-                        film_of(film_samples(patterns, area, probe_pass), world.sampling.filter, tiles[i]);
-                    auto pixel = film.begin();
-                    each_pixel(tiles[i], [&](int x, int y) { probe(sums[i], x, y, color_of(*pixel++)); });
-                }
-            },
-            {});
+        in_parallel(tiles.size(), result.rays,
+                    [&](std::size_t i) {
+                        if (!wide_filter()) {
+                            each_pixel(tiles[i], [&](int x, int y) {
+                                if (!chosen(patterns.index(x, y))) return;
+                                probe(sums[i], x, y,
+                                      sample_pixel(world, x, y, pattern(probes, x, y, other.pass), color));
+                            });
+                        } else if (chosen(i)) {
+                            const Tile area = in_picture(grown(tiles[i], margin()));
+                            const std::vector<FilmPixel> second = film(probes, area, other.pass, tiles[i]);
+                            auto pixel = second.begin();
+                            each_pixel(tiles[i],
+                                       [&](int x, int y) { probe(sums[i], x, y, color_of(*pixel++)); });
+                        }
+                    },
+                    {});
         Sum total;
         for (const Sum& sum : sums) total = {total.squares + sum.squares, total.pixels + sum.pixels};
         return total.pixels == 0 ? 0 : std::sqrt(total.squares / static_cast<Real>(3 * total.pixels));
@@ -293,16 +329,20 @@ struct Picture {
                             ray_counts().camera += static_cast<std::uint64_t>(pilot);
                             ray_counts().random_numbers += 2 * static_cast<std::uint64_t>(pilot);
                             const Vec3 error = estimate(colors).standard_error;
-                            deviation[index(x, y)] = std::sqrt(sum_of(error * error) * pilot);
+                            const Real found = std::sqrt(sum_of(error * error) * pilot);
+                            // More samples do not help where a colour is infinite.
+                            deviation[index(x, y)] = std::isfinite(found) ? found : 0;
                         });
                     },
                     {});
         const Real average =
             std::accumulate(deviation.begin(), deviation.end(), Real(0)) / static_cast<Real>(size());
+        // No pixel gets more than 64 times the mean: what happens in a few pixels is not all of the picture.
+        const Real least = std::max(average, *std::max_element(deviation.begin(), deviation.end()) / 64);
         // An edge that the pilot missed is near others that it found; and nothing is ever quite sure.
         std::vector<Real> around(size());
         each_pixel(in_picture({0, 0, world.view.width, world.view.height}), [&](int x, int y) {
-            Real most = average;
+            Real most = least;
             each_pixel(in_picture({x - 1, y - 1, x + 2, y + 2}),
                        [&](int i, int j) { most = std::max(most, deviation[index(i, j)]); });
             around[index(x, y)] = most;
@@ -313,9 +353,9 @@ struct Picture {
     /// One pass with the samples that the scene asks for.
     void make_given() {
         int count = world.sampling.count;
-        if (world.sampling.adaptive && count > 1) {
+        if (world.sampling.adaptive && count >= 4) {
             const int pilot = std::clamp(count / 4, 1, 8) + 1;
-            count = std::max(count - pilot, 1);
+            count -= pilot;
             look_where(pilot, count);
         }
         // A single sample is at the centre.
@@ -336,8 +376,8 @@ struct Picture {
         };
         // The first passes have few samples, and tell how many a good pass has. If that is more they are
         // thrown away.
+        std::uint64_t before = 0;
         Patterns patterns = patterns_of(adaptive ? 2 : 1);
-        std::uint64_t before = result.rays.camera;
         std::uint64_t pass = 0;
         const auto make_another = [&](const std::function<bool()>& stop) {
             make_pass(patterns, ++pass, stop, {});
@@ -356,9 +396,9 @@ struct Picture {
         if (wanted >= 2) {
             const auto more = static_cast<int>(std::min(wanted, Real(4096)));
             pixels.assign(size(), {});
+            before = result.rays.camera;
             patterns = patterns_of(patterns.count * more);
             pass_seconds *= more;
-            before = result.rays.camera;
         }
         const auto late = [&] { return options.seconds && seconds_since(start) >= *options.seconds; };
         while (!enough(pass_seconds)) {
@@ -379,7 +419,10 @@ struct Picture {
             if (rest <= 0 || (wide_filter() && rest < pass_seconds / 2)) return true;
         }
         if (!options.error) return false;
+        if (pixels.front().sum.weight < least_passes) return false;
         const std::optional<Real> error = error_of_passes();
+        // It does not get better where a colour is infinite.
+        if (error && !std::isfinite(*error)) return true;
         if (error) report(std::min((*options.error / *error) * (*options.error / *error), Real(1)));
         return error && *error <= *options.error;
     }
@@ -397,6 +440,7 @@ void render_sampled(const World& world, const RenderOptions& options, RenderResu
         picture.make_until();
     else
         picture.make_given();
+    result.counts = std::move(picture.counts);
     result.image = make_image(world.view.width, world.view.height);
     for (int y = 0; y < result.image.height; ++y)
         for (int x = 0; x < result.image.width; ++x)

@@ -10,9 +10,10 @@ namespace rt {
 ///
 /// The samples of a pixel are a function of the pixel, the pass and the seed. A picture of a given number of
 /// samples is one pass. Its error comes from second, independent patterns in some of the pixels: half the
-/// mean square difference of two independent estimates is the variance of one. A picture for a given time or
-/// error is the mean of many passes, each with a whole pattern a pixel; its error comes from the variance
-/// between them. (s/√n of single samples would not do: those of a pattern are not independent.)
+/// mean square difference of two independent estimates is the variance of one. Patterns that are not random
+/// are compared with coarser ones of their kind. A picture for a given time or error is the mean of many
+/// passes, each with a whole pattern a pixel; its error comes from the variance between them. (s/√n of single
+/// samples would not do: those of a pattern are not independent.)
 void render_sampled(const World& world, const RenderOptions& options, RenderResult& result);
 
 }  // namespace rt

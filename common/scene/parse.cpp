@@ -482,9 +482,9 @@ Command commands[] = {
       "(default); less and less up to 1 pixel, or 1.5; the cubic of Mitchell and Netravali up to 2.",
       "08"},
      set_filter},
-    {{"seed", "n", "Which random numbers are used, from 0 to 2^53; default 0.", "08"},
+    {{"seed", "n", "Which random numbers are used, from 0 to 2^53 − 1; default 0.", "08"},
      [](Parser& p) {
-         p.scene.sampling.seed = static_cast<std::uint64_t>(whole(p, 1, "the seed", 0, 0x1p53));
+         p.scene.sampling.seed = static_cast<std::uint64_t>(whole(p, 1, "the seed", 0, 0x1p53 - 1));
      }},
     {{"accelerator", "auto|none|grid|nested",
       "What is built so that a ray need not ask every shape: `nested` a grid of grids over each kind of "

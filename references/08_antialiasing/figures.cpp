@@ -639,31 +639,10 @@ Real rms_difference(const Image& image, const Image& truth) {
 
 /// The adaptive scene, where its samples go, and what is left without it: as the renderer decides it.
 void draw_adaptive(const Path& directory) {
-    constexpr int pilot = 7;
+    constexpr int pilot = 7;  // of 24
     const World world = compile(scene_beside(__FILE__, "adaptive"));
     const int width = world.view.width, height = world.view.height;
-    std::vector<Real> deviations, around;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            std::vector<Vec3> colors;
-            for (const PixelSample& sample : random_samples(pilot, random_for(9, deviations.size(), 0))) {
-                const PixelSample alone{sample.at, 1};
-                colors.push_back(sample_pixel(world, x, y, {&alone, 1}, color_function(world)));
-            }
-            deviations.push_back(glm::length(estimate(colors).standard_error) * std::sqrt(Real(pilot)));
-        }
-    const Real average =
-        std::accumulate(deviations.begin(), deviations.end(), Real(0)) / static_cast<Real>(deviations.size());
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            Real most = average;
-            for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j)
-                for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width - 1); ++i)
-                    most = std::max(most, deviations[static_cast<std::size_t>(j * width + i)]);
-            around.push_back(most);
-        }
-    const long long total = static_cast<long long>(world.sampling.count - pilot) * width * height;
-    const std::vector<int> counts = sample_counts(around, total);
+    const std::vector<int> counts = render(world).counts;
     const int most = *std::ranges::max_element(counts), least = *std::ranges::min_element(counts);
     Image map = make_image(width, height);
     for (std::size_t i = 0; i < counts.size(); ++i) map.pixels[i] = Vec3(static_cast<Real>(counts[i]) / most);

@@ -1,93 +1,32 @@
 // Draws the figures of lesson 9 into the directory that it is given.
 // Boxes, cells and counts in them are those of the course's own functions.
+#include "references/figures.hpp"
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/09_grids/walk.hpp"
-#include "common/image/file.hpp"
-#include "common/image/svg.hpp"
 #include "common/math/random.hpp"
-#include "common/render/compile.hpp"
-#include "common/render/render.hpp"
-#include "common/scene/parse.hpp"
 #include "references/09_grids/teapot.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <chrono>
-#include <cmath>
 #include <functional>
-#include <iostream>
-#include <string>
-#include <vector>
 
 using namespace rt;
+using namespace rt::figures;
 
 namespace {
 
-using namespace svg_color;
-using Path = std::filesystem::path;
+// Curves ------------------------------------------------------------------------------------------------
 
-const SvgFont note{.size = 14, .color = grey};
-const SvgFont small{.size = 13};
-
-SvgFont middle(SvgFont font) {
-    font.anchor = "middle";
-    return font;
-}
-SvgFont colored(SvgFont font, const char* color) {
-    font.color = color;
-    return font;
-}
-
-void dot_at(Svg& svg, Vec2 at, const char* color = ink, Real radius = 4) {
-    circle(svg, at, radius, {.stroke = "none", .fill = color});
-}
-
-// Axes --------------------------------------------------------------------------------------------------
-
-/// A plot with logarithmic axes.
-struct Axis {
-    Real low, high;
-    Real share(Real value) const { return std::log(value / low) / std::log(high / low); }
-};
-struct Plot {
-    Vec2 corner, size;  ///< top left, pixels
-    Axis x, y;
-    Vec2 place(Real a, Real b) const { return corner + Vec2(x.share(a) * size.x, (1 - y.share(b)) * size.y); }
-};
-
-std::string power_of_ten(int exponent) {
-    if (exponent == 0) return "1";
-    if (exponent == 1) return "10";
-    std::string words = "10";
-    const std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    if (exponent < 0) words += "⁻";
-    for (const char digit : std::to_string(std::abs(exponent)))
-        words += digits[static_cast<std::size_t>(digit - '0')];
-    return words;
-}
-
-/// Lines and words at the powers of ten.
+/// Lines and words at the powers of ten, and what the axes show.
 void draw_axes(Svg& svg, const Plot& plot, const std::string& x_words, const std::string& y_words) {
-    for (int k = -9; k <= 9; ++k) {
-        const Real value = std::pow(10.0, k);
-        if (value > plot.y.low * 0.999 && value < plot.y.high * 1.001) {
-            line(svg, plot.place(plot.x.low, value), plot.place(plot.x.high, value),
-                 {.stroke = light, .width = 1});
-            text(svg, plot.place(plot.x.low, value) + Vec2(-8, 5), power_of_ten(k),
-                 {.size = 13, .anchor = "end"});
-        }
-        if (value > plot.x.low * 0.999 && value < plot.x.high * 1.001) {
-            line(svg, plot.place(value, plot.y.low), plot.place(value, plot.y.low) + Vec2(0, 5),
-                 {.width = 1});
-            text(svg, plot.place(value, plot.y.low) + Vec2(0, 20), power_of_ten(k), middle(small));
-        }
-    }
-    line(svg, plot.corner, plot.corner + Vec2(0, plot.size.y));
-    line(svg, plot.corner + Vec2(0, plot.size.y), plot.corner + plot.size);
+    const auto ticks = [](const Axis& axis) {
+        return decades(static_cast<int>(std::ceil(std::log10(axis.low))),
+                       static_cast<int>(std::floor(std::log10(axis.high))));
+    };
+    draw_axes(svg, plot, ticks(plot.x), ticks(plot.y));
     text(svg, plot.corner + Vec2(plot.size.x / 2, plot.size.y + 42), x_words, middle(SvgFont{.size = 14}));
     text(svg, plot.corner + Vec2(0, -12), y_words, {.size = 14});
 }
@@ -181,14 +120,14 @@ void write_zeros(const Path& directory) {
         Real o, d, low, high;
     } const cases[] = {{"ahead", 0, 1, 2, 3},
                        {"backwards", 5, -1, 2, 3},
-                       {"between, along", 2.5, 0, 2, 3},
-                       {"between, along, -0", 2.5, -0.0, 2, 3},
-                       {"beside, along", 4, 0, 2, 3},
-                       {"beside, along, -0", 4, -0.0, 2, 3},
+                       {"between", 2.5, 0, 2, 3},
+                       {"between (-0)", 2.5, -0.0, 2, 3},
+                       {"beside", 4, 0, 2, 3},
+                       {"beside (-0)", 4, -0.0, 2, 3},
                        {"in the low face", 2, 0, 2, 3},
-                       {"in the low face, -0", 2, -0.0, 2, 3},
+                       {"in the low face (-0)", 2, -0.0, 2, 3},
                        {"in the high face", 3, 0, 2, 3},
-                       {"flat box, in it", 2, 0, 2, 2},
+                       {"in a flat box", 2, 0, 2, 2},
                        {"overflow", 0, 1e-300, 1e200, 2e200}};
     for (const auto& c : cases) {
         const Real a = (c.low - c.o) / c.d, b = (c.high - c.o) / c.d;
@@ -273,7 +212,7 @@ void draw_drift(const Path& directory) {
     }
     write_file(directory / "drift.csv", csv);
     Svg svg{.width = 700, .height = 330};
-    const Plot plot{{80, 50}, {560, 220}, {1, 1100}, {1, 1000}};
+    const Plot plot{{80, 50}, {560, 220}, {1, 1100, true}, {1, 1000, true}};
     draw_axes(svg, plot, "number of the boundary", "error of its t, in units of u·t");
     draw_curve(svg, plot, add, red);
     draw_curve(svg, plot, multiply, blue);
@@ -352,9 +291,8 @@ void draw_behind(const Path& directory) {
     };
     dot_at(svg, meet(large[0], large[1]), blue, 5.5);
     dot_at(svg, meet(near[0], near[2]), red, 5.5);
-    text(svg, place(0.25, 1.28), "asked in cell 1 …", colored(SvgFont{.size = 14}, blue));
-    text(svg, meet(large[0], large[1]) + Vec2(-22, 28), "… hit in cell 4",
-         colored(SvgFont{.size = 14}, blue));
+    text(svg, place(0.1, 1.28), "asked here …", colored(SvgFont{.size = 14}, blue));
+    text(svg, place(3.5, 0.62), "… hit in cell 4", middle(colored(SvgFont{.size = 14}, blue)));
     text(svg, place(2.05, 1.32), "nearer", colored(SvgFont{.size = 14}, red));
     write_svg(directory / "behind.svg", svg);
 }
@@ -393,27 +331,6 @@ void draw_heat_scale(const Path& directory) {
         text(svg, corner + Vec2(i == 0 ? 21 : 0, 38), words[i], middle(SvgFont{.size = 13}));
     }
     write_svg(directory / "heat_scale.svg", svg);
-}
-
-/// Images beside each other, with white between them.
-Image side_by_side(const std::vector<Image>& images, int columns) {
-    const int gap = 6, width = images[0].width, height = images[0].height;
-    const int rows = static_cast<int>(images.size()) / columns;
-    Image all = make_image(columns * (width + gap) - gap, rows * (height + gap) - gap);
-    for (Vec3& p : all.pixels) p = Vec3(1);
-    for (int i = 0; i < static_cast<int>(images.size()); ++i)
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                pixel(all, i % columns * (width + gap) + x, i / columns * (height + gap) + y) =
-                    pixel(images[static_cast<std::size_t>(i)], x, y);
-    return all;
-}
-
-Scene scene_named(const std::string& name, int width, int height) {
-    Scene scene = parse_scene(Path(__FILE__).parent_path() / (name + ".scene"));
-    scene.width = width;
-    scene.height = height;
-    return scene;
 }
 
 std::vector<Triangle> triangles_of(const World& world) {
@@ -488,7 +405,7 @@ Image cut(const Grid& grid) {
 
 void draw_stadium(const Path& directory) {
     const int width = 256, height = 192;
-    const World world = compile(scene_named("stadium", width, height));
+    const World world = compile(scene_beside(__FILE__, "stadium", width, height));
     const std::vector<Triangle> triangles = triangles_of(world);
     std::string csv =
         "accelerator,grids,cells,entries,longest list,bytes a triangle,triangles asked a ray,most,cells "
@@ -521,8 +438,8 @@ void draw_stadium(const Path& directory) {
                            static_cast<Real>(sum.cells) / rays, most.cells);
     }
     write_file(directory / "stadium.csv", csv);
-    write_image(directory / "heat.png", side_by_side(heats, 2));
-    write_image(directory / "cut.png", side_by_side(cuts, 2));
+    write_image(directory / "heat.png", in_rows(heats, 2));
+    write_image(directory / "cut.png", in_rows(cuts, 2));
 }
 
 /// Shapes and rays of the chapter's scenes, and how many rays a second there are with and without grids.
@@ -536,7 +453,7 @@ void measure_scenes(const Path& directory) {
             const int width = accelerator == Accelerator::None   ? 24
                               : accelerator == Accelerator::Grid ? 160
                                                                  : 320;
-            Scene scene = scene_named(name, width, width * 3 / 4);
+            Scene scene = scene_beside(__FILE__, name, width, width * 3 / 4);
             scene.accelerator = accelerator;
             RenderOptions one_thread;
             one_thread.threads = 1;
@@ -673,7 +590,7 @@ void draw_growth(const Path& directory) {
                            exponent(tail(build)), exponent(tail(speed)), exponent(tail(brute_speed))));
 
     Svg svg{.width = 700, .height = 380};
-    const Plot plot{{80, 50}, {570, 270}, {100, 1.2e6}, {1, 1e6}};
+    const Plot plot{{80, 50}, {570, 270}, {100, 1.2e6, true}, {1, 1e6, true}};
     draw_axes(svg, plot, "triangles", "per ray");
     draw_curve(svg, plot, brute, grey);
     draw_curve(svg, plot, cells, blue);
@@ -719,7 +636,7 @@ void draw_density(const Path& directory) {
     write_file(directory / "density.csv", csv);
     write_file(directory / "measured_density.csv", measured);
     Svg svg{.width = 700, .height = 330};
-    const Plot plot{{80, 50}, {570, 220}, {0.05, 80}, {1, 1000}};
+    const Plot plot{{80, 50}, {570, 220}, {0.05, 80, true}, {1, 1000, true}};
     draw_axes(svg, plot, "density: cells a triangle", "per ray");
     draw_curve(svg, plot, cells, blue);
     draw_curve(svg, plot, shapes, red);
@@ -795,17 +712,10 @@ void draw_mistakes(const Path& directory) {
                     pixel(image, x, y) = Real(0.5) * (unit_normal(triangles[hit->primitive]) + Real(1));
         images.push_back(image);
     }
-    write_image(directory / "mistakes.png", side_by_side(images, 2));
+    write_image(directory / "mistakes.png", in_rows(images, 2));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: figures_09 DIRECTORY\n";
-        return 2;
-    }
-    const Path directory = argv[1];
+void draw(const Path& directory) {
     draw_slabs(directory);
     write_zeros(directory);
     draw_walk(directory);
@@ -818,11 +728,11 @@ int main(int argc, char** argv) {
     measure_scenes(directory);
     draw_growth(directory);
     draw_density(directory);
-    const auto draw = [&](const std::string& name, int width) {
-        write_image(directory / (name + ".png"),
-                    render(compile(scene_named(name, width, width * 3 / 4))).image);
-    };
-    for (const char* name : {"forest", "cloud"}) draw(name, 240);
-    draw("stadium", 320);
-    draw("crowd", 184);
+    draw_scenes(directory, __FILE__, {"forest", "cloud"}, 240, 180);
+    draw_scenes(directory, __FILE__, {"stadium"}, 320, 240);
+    draw_scenes(directory, __FILE__, {"crowd"}, 184, 138);
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return draw_figures(argc, argv, draw); }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace rt {
@@ -67,14 +68,15 @@ std::vector<int> sample_counts(std::span<const Real> deviations, long long total
     for (std::size_t i = 0; i < pixels; ++i) {
         if (weights[i] == 0) continue;
         const Real share = weights[i] * static_cast<Real>(left) / sum;
-        counts[i] = static_cast<int>(share);
+        counts[i] = static_cast<int>(std::min(share, Real(std::numeric_limits<int>::max() - 1)));
         fractions[i] = share - counts[i];
         order.push_back(i);
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return fractions[a] > fractions[b]; });
     const long long spent = std::accumulate(counts.begin(), counts.end(), 0LL);
-    for (long long i = 0; i < total - spent; ++i) ++counts[order[static_cast<std::size_t>(i) % order.size()]];
+    for (long long i = 0; i < total - spent && !order.empty(); ++i)
+        ++counts[order[static_cast<std::size_t>(i) % order.size()]];
     return counts;
     // [/exercise]
 }

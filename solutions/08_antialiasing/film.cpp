@@ -30,7 +30,8 @@ struct Sum {
     for (int i = 0; i < 3; ++i) {
         const Sum sum = plus(Sum{pixel.sum[i], pixel.lost[i]}, color[i]);
         pixel.sum[i] = sum.sum;
-        pixel.lost[i] = sum.lost;
+        // An infinite sum has lost nothing that a number could say.
+        pixel.lost[i] = std::isfinite(sum.sum) ? sum.lost : 0;
     }
     const Sum sum = plus(Sum{pixel.weight, pixel.lost_weight}, weight);
     pixel.weight = sum.sum;
@@ -61,7 +62,8 @@ Real filter_weight(const Filter& filter, const Vec2& offset) {
 }
 
 FilmPixel add(const FilmPixel& pixel, const Vec3& color, Real weight) {
-    return plus(pixel, weight * color, weight);
+    // Nothing of an infinite colour is nothing, not NaN.
+    return weight == 0 ? pixel : plus(pixel, weight * color, weight);
 }
 
 Vec3 color_of(const FilmPixel& pixel) {
@@ -88,15 +90,16 @@ std::vector<FilmPixel> film_of(std::span<const FilmSample> samples, const Filter
     const int width = area.x1 - area.x0;
     std::vector<FilmPixel> pixels(static_cast<std::size_t>(width * (area.y1 - area.y0)));
     // Centres are exact, so rounding only ever lets in a pixel too many, and filter_weight finds that out.
-    const auto first = [&filter](Real at, int begin) {
-        return static_cast<int>(std::max(std::ceil(at - filter.radius - 0.5), Real(begin)));
+    const auto first = [&filter](Real at, int begin, int end) {
+        return static_cast<int>(std::clamp(std::ceil(at - filter.radius - 0.5), Real(begin), Real(end)));
     };
-    const auto last = [&filter](Real at, int end) {
-        return static_cast<int>(std::min(std::floor(at + filter.radius - 0.5), Real(end) - 1));
+    const auto last = [&filter](Real at, int begin, int end) {
+        return static_cast<int>(
+            std::clamp(std::floor(at + filter.radius - 0.5), Real(begin) - 1, Real(end) - 1));
     };
     for (const FilmSample& sample : samples) {
-        const int x0 = first(sample.at.x, area.x0), x1 = last(sample.at.x, area.x1);
-        const int y0 = first(sample.at.y, area.y0), y1 = last(sample.at.y, area.y1);
+        const int x0 = first(sample.at.x, area.x0, area.x1), x1 = last(sample.at.x, area.x0, area.x1);
+        const int y0 = first(sample.at.y, area.y0, area.y1), y1 = last(sample.at.y, area.y0, area.y1);
         for (int y = y0; y <= y1; ++y) {
             for (int x = x0; x <= x1; ++x) {
                 FilmPixel& pixel = pixels[static_cast<std::size_t>((y - area.y0) * width + (x - area.x0))];

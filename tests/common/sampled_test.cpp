@@ -7,6 +7,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace rt;
@@ -122,14 +123,20 @@ TEST_CASE("the estimated error is the true one within a factor of 1.5", "[sample
     const Image truth = draw(ball + "spp 4096\nsampler regular\n").image;
     const Image smooth = draw(ball + "spp 1024\nsampler regular\nfilter gaussian\n").image;
     for (const char* more : {"sampler random\n", "sampler jittered\n", "sampler poisson\n", "adaptive on\n",
+                             "sampler regular\n", "sampler trapezoid\n", "sampler centered\n",
                              "filter gaussian\n", "filter gaussian\nsampler random\n"}) {
         INFO(more);
         const RenderResult result = draw(ball + "spp 16\n" + more);
         REQUIRE(result.rms_error.has_value());
         const Real ratio =
             rms(result.image, std::string(more).starts_with("filter") ? smooth : truth) / *result.rms_error;
-        CHECK(ratio < 1.5);
-        CHECK(ratio > 1 / 1.5);
+        // Patterns that are not random have errors that are not either: in one picture they may be lucky.
+        const Sampler sampler = world_of(ball + more).sampling.sampler;
+        const bool random =
+            sampler == Sampler::Random || sampler == Sampler::Jittered || sampler == Sampler::Poisson;
+        const Real gate = random ? 1.5 : 2;
+        CHECK(ratio < gate);
+        CHECK(ratio > 1 / gate);
     }
 }
 
@@ -144,7 +151,7 @@ TEST_CASE("--error is reached, by passes that are independent", "[sampled]") {
             REQUIRE(result.rms_error.has_value());
             CHECK(*result.rms_error <= wanted);
             // Where few samples are enough, one less may be far too few.
-            if (result.samples_per_pixel >= 8) CHECK(*result.rms_error >= 0.9 * wanted);
+            if (result.samples_per_pixel >= 12) CHECK(*result.rms_error >= 0.9 * wanted);
             const Real ratio = rms(result.image, truth) / *result.rms_error;
             CHECK(ratio < 1.5);
             CHECK(ratio > 1 / 1.5);
@@ -175,4 +182,20 @@ TEST_CASE("adaptive samples go where colours differ, and as many as were asked f
     const RenderResult uniform = draw(ball + "spp 16\n");
     CHECK(std::abs(result.samples_per_pixel - 16) < 1e-9);
     CHECK(*result.rms_error < *uniform.rms_error);
+}
+
+TEST_CASE("an infinite colour spoils its pixels only, and ends", "[sampled]") {
+    const std::string hot = ball + "ambient 1.7e308 .5 .5\nemission 1.7e308 0 0\nsphere -1.5 0 0 .3\n";
+    RenderOptions options;
+    options.error = 0.01;
+    for (const char* more : {"spp 4\n", "spp 16\nadaptive on\n", "spp 4\nfilter tent\n"}) {
+        INFO(more);
+        const Image image = draw(hot + more).image;
+        const Image clean = draw(ball + more).image;
+        CHECK(image.pixels.front() == clean.pixels.front());
+        CHECK(std::any_of(image.pixels.begin(), image.pixels.end(),
+                          [](const Vec3& color) { return std::isinf(color.x) && color.y > 0; }));
+    }
+    draw(hot, options);
+    draw(hot + "adaptive on\n", options);
 }

@@ -139,6 +139,8 @@ void count(Verdict& verdict, const Case& item, Precise error, const std::string&
 struct Truth {
     Precise3 d, n, t;
     Precise c, s, cos_t_squared, cos_t;
+    Precise
+        mean_cos_t;  ///< of the refracted ray's cosine, and that of data moved by 4 ulp towards the border
     bool near_critical;  ///< moving the data by 4 ulp decides between refracted and total
 };
 
@@ -155,6 +157,7 @@ Truth truth_of(const InterfaceCase& item) {
     truth.near_critical = std::abs(truth.cos_t_squared) <= moved;
     if (truth.cos_t_squared >= 0) {
         truth.cos_t = std::sqrt(truth.cos_t_squared);
+        truth.mean_cos_t = (truth.cos_t + std::sqrt(std::max<Precise>(truth.cos_t_squared - moved, 0))) / 2;
         truth.t = sum(eta, truth.d, eta * truth.c - truth.cos_t, truth.n);
     }
     return truth;
@@ -181,7 +184,7 @@ Verdict judge_refraction(std::span<const InterfaceCase> cases, std::span<const s
         } else if (truth.cos_t_squared < 0 || !answer) {
             error = (truth.cos_t_squared < 0) == !answer ? 0 : wrong();
         } else {
-            const Precise kappa = 1 + cases[i].eta * truth.c / truth.cos_t;
+            const Precise kappa = 1 + cases[i].eta * truth.c / truth.mean_cos_t;
             error = is_unit(*answer)
                         ? length(sum(1, precise(*answer), -1, truth.t)) / (8 * kappa * unit_roundoff)
                         : wrong();

@@ -31,7 +31,8 @@ std::span<const InterfaceFamily> interface_families();
 
 /// Judges `refract`: refracted or total right outside a band of 4 ulp of the data; the direction of unit
 /// length within 4u and off by at most 8κu, κ = 1 + eta·c/cosₜ: how far the refracted ray turns when d turns;
-/// eta is exact. In the band both answers are right, but never NaN.
+/// cosₜ is the mean of those for d and for d turned by 4 ulp, because next to the band it changes by much of
+/// itself in between. eta is exact. In the band both answers are right, but never NaN.
 Verdict judge_refraction(std::span<const InterfaceCase> cases, std::span<const std::optional<Vec3>> answers);
 
 /// Judges refraction there and back, `back` being refract(−t, −n, 1/eta) of each refracted t: −d again, to
