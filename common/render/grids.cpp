@@ -59,8 +59,8 @@ struct Builder {
 }  // namespace
 
 bool grid_pays(std::size_t shapes, Real rays) {
-    constexpr Real building = 40;  // a shape
-    constexpr Real walking = 24;   // a ray, and more for larger grids
+    constexpr Real building = 320;  // a shape; less in large grids
+    constexpr Real walking = 24;    // a ray, and more for larger grids
     const auto n = static_cast<Real>(shapes);
     return rays * n > building * n + rays * (walking + 2 * std::cbrt(n));
 }
