@@ -169,7 +169,7 @@ void add_project(Line& line) {
 
     sub = line.command("test", "every test of the project", "test --quick",
                        [&line] { return run_test(line.quick, line.json); });
-    sub->add_flag("--quick", line.quick, "fewer random cases");
+    sub->add_flag("--quick", line.quick, "fewer random cases, one known mistake a step, no scripts");
 
     sub =
         line.command("references", "render the references with POV-Ray again and report any that changed",

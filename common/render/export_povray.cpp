@@ -580,7 +580,7 @@ PovrayRun povray_run(const Scene& scene) {
         case Sampler::Poisson:
             break;
     }
-    return {8, {"+AM1", "+A0.0", "+R3", "-J"}, false};
+    return {8, {"+AM1", "+A0.0", "+R2", "-J"}, false};
 }
 
 std::string export_povray(const Scene& scene) {

@@ -24,7 +24,7 @@ struct PovrayRun {
 
 /// Regular samples are the pixels of a larger picture; POV-Ray's antialiasing methods 2 and 1, their
 /// threshold 0, take the trapezoid rule's samples of 2^k cells a side, and centered samples. Random samples
-/// it cannot repeat: then a picture 8 × 8 times as large, with 3 × 3 samples and one more in each of its
+/// it cannot repeat: then a picture 8 × 8 times as large, with 2 × 2 samples and one more in each of its
 /// pixels, tells their mean. (8 × 8 alone were more wrong than the pictures that they judged.)
 PovrayRun povray_run(const Scene& scene);
 

@@ -1,5 +1,5 @@
 // poisson.scene, written by `course export`.
-// povray +Ipoisson.pov +Opoisson.png +W2560 +H1920 +FN16 -D +AM1 +A0.0 +R3 -J File_Gamma=1.0
+// povray +Ipoisson.pov +Opoisson.png +W2560 +H1920 +FN16 -D +AM1 +A0.0 +R2 -J File_Gamma=1.0
 // then 8 × 8 of its pixels are one of ours, weighed by our filter
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 1 adc_bailout 0 }
