@@ -1,11 +1,10 @@
 // The spheres of chapter 2 against exact arithmetic, on cases made to break them.
 // Demands and condition numbers: tests/stability/spheres.hpp.
 #include "chapters/02_spheres/sphere.hpp"
-#include "tests/catch.hpp"
 #include "tests/oracle/sphere.hpp"
+#include "tests/stability/check.hpp"
 #include "tests/stability/naive.hpp"
 #include "tests/stability/spheres.hpp"
-#include "tests/support.hpp"
 
 #include <string>
 
@@ -19,43 +18,13 @@ constexpr std::uint64_t seed = 2;
 
 Tally tally("02 spheres");
 
-std::size_t how_many(int full) {
-    tally.print = cases(full) == full;
-    return static_cast<std::size_t>(cases(full));
-}
-
-/// All the answers of `method` to the cases, in order.
-template <class Answer, class Case, class Method>
-std::vector<Answer> ask(const std::vector<Case>& questions, Method method) {
-    std::vector<Answer> answers;
-    answers.reserve(questions.size());
-    for (const Case& question : questions) answers.push_back(method(question));
-    return answers;
-}
-
-/// A tenth of the cases is enough to see the textbook method fail.
-template <class Case>
-std::vector<Case> some(const std::vector<Case>& questions) {
-    return {questions.begin(), questions.begin() + static_cast<std::ptrdiff_t>(questions.size() / 10)};
-}
-
-/// Counts both verdicts; the stable method must be right, and the textbook method must fail.
-void check(const std::string& family, const Verdict& stable, const Verdict& naive) {
-    add(tally.stable, stable);
-    add(tally.naive, naive);
-    INFO(family << ": " << describe(stable));
-    CHECK(stable.mismatches == 0);
-    INFO("the textbook method has to fail here, else the family shows nothing");
-    CHECK(naive.mismatches > 0);
-}
-
 }  // namespace
 
 TEST_CASE("the roots of a quadratic are right to 4 roundings, however far apart", "[02.1][stability]") {
-    const auto questions = quadratic_cases(how_many(100'000), seed);
+    const auto questions = quadratic_cases(how_many(tally, 100'000), seed);
     const auto stable = [](const QuadraticCase& q) { return solve_quadratic(q.a, q.h, q.c, q.discriminant); };
     const auto naive = [](const QuadraticCase& q) { return naive::solve_quadratic(q.a, q.h, q.c); };
-    check("coefficients of all sizes", judge(questions, ask<Roots>(questions, stable)),
+    check(tally, "coefficients of all sizes", judge(questions, ask<Roots>(questions, stable)),
           judge(some(questions), ask<Roots>(some(questions), naive)));
 }
 
@@ -64,7 +33,7 @@ TEST_CASE("both roots of a line and a sphere are right on extreme cases", "[02.2
         return intersections(question.sphere, question.ray);
     };
     for (const SphereFamily& family : sphere_families()) {
-        const auto questions = family.make(how_many(100'000), seed);
+        const auto questions = family.make(how_many(tally, 100'000), seed);
         const Verdict verdict = judge(questions, ask<Roots>(questions, both_roots));
         add(tally.stable, verdict);
         INFO(family.name << ": " << describe(verdict));
@@ -76,8 +45,8 @@ TEST_CASE("the nearest hit with a sphere is right on extreme cases", "[02.3][sta
     const auto stable = [](const SphereCase& q) { return intersect(q.sphere, q.ray, Interval{}); };
     const auto naive = [](const SphereCase& q) { return naive::intersect(q.sphere, q.ray, Interval{}); };
     for (const SphereFamily& family : sphere_families()) {
-        const auto questions = family.make(how_many(100'000), seed + 1);
-        check(family.name, judge(questions, ask<std::optional<Hit>>(questions, stable)),
+        const auto questions = family.make(how_many(tally, 100'000), seed + 1);
+        check(tally, family.name, judge(questions, ask<std::optional<Hit>>(questions, stable)),
               judge(some(questions), ask<std::optional<Hit>>(some(questions), naive)));
     }
 }

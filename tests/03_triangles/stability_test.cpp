@@ -2,45 +2,23 @@
 // Demands and condition numbers: tests/stability/triangles.hpp.
 #include "chapters/03_triangles/polygon.hpp"
 #include "chapters/03_triangles/triangle.hpp"
-#include "tests/catch.hpp"
 #include "tests/oracle/polygon.hpp"
 #include "tests/oracle/triangle.hpp"
+#include "tests/stability/check.hpp"
 #include "tests/stability/naive.hpp"
 #include "tests/stability/triangles.hpp"
-#include "tests/support.hpp"
 
 #include <algorithm>
 #include <string>
 
 using namespace rt;
 using namespace rt::stability;
-using rt::test::cases;
 
 namespace {
 
 constexpr std::uint64_t seed = 3;
 
 Tally tally("03 triangles");
-
-std::size_t how_many(int full) {
-    tally.print = cases(full) == full;
-    return static_cast<std::size_t>(cases(full));
-}
-
-/// All the answers of `method` to the cases, in order.
-template <class Answer, class Case, class Method>
-std::vector<Answer> ask(const std::vector<Case>& questions, Method method) {
-    std::vector<Answer> answers;
-    answers.reserve(questions.size());
-    for (const Case& question : questions) answers.push_back(method(question));
-    return answers;
-}
-
-/// A tenth of the cases is enough to see the textbook method fail.
-template <class Case>
-std::vector<Case> some(const std::vector<Case>& questions) {
-    return {questions.begin(), questions.begin() + static_cast<std::ptrdiff_t>(questions.size() / 10)};
-}
 
 std::optional<Hit> stable_hit(const TriangleCase& question) {
     return intersect(question.triangle, question.ray, Interval{});
@@ -58,57 +36,47 @@ std::vector<OutlineAnswer> ask_outlines(const std::vector<OutlineCase>& question
     });
 }
 
-/// Counts both verdicts; the stable method must be right, and the textbook method must fail.
-void check(const std::string& family, const Verdict& stable, const Verdict& naive) {
-    add(tally.stable, stable);
-    add(tally.naive, naive);
-    INFO(family << ": " << describe(stable));
-    CHECK(stable.mismatches == 0);
-    INFO("the textbook method has to fail here, else the family shows nothing");
-    CHECK(naive.mismatches > 0);
-}
-
 }  // namespace
 
 TEST_CASE("a point on the cut between two polygons is in exactly one of them", "[03.2][stability]") {
-    const auto questions = outline_cases(how_many(100'000), seed);
-    check("polygons cut in two", judge(questions, ask_outlines(questions, point_in_polygon)),
+    const auto questions = outline_cases(how_many(tally, 100'000), seed);
+    check(tally, "polygons cut in two", judge(questions, ask_outlines(questions, point_in_polygon)),
           judge(some(questions), ask_outlines(some(questions), naive::point_in_polygon)));
 }
 
 TEST_CASE("barycentric coordinates of slivers are as right as their shape allows", "[03.3][stability]") {
-    const auto questions = weight_cases(how_many(100'000), seed);
+    const auto questions = weight_cases(how_many(tally, 100'000), seed);
     const auto weights = [](const WeightCase& question) {
         return barycentric(question.triangle, question.point);
     };
     const auto naive_weights = [](const WeightCase& question) {
         return naive::barycentric(question.triangle, question.point);
     };
-    check("weights in sixteenths", judge(questions, ask<std::optional<Vec3>>(questions, weights)),
+    check(tally, "weights in sixteenths", judge(questions, ask<std::optional<Vec3>>(questions, weights)),
           judge(some(questions), ask<std::optional<Vec3>>(some(questions), naive_weights)));
 }
 
 TEST_CASE("the sign of an edge function is exact", "[03.4][stability]") {
-    const auto questions = turn_cases(how_many(100'000), seed);
+    const auto questions = turn_cases(how_many(tally, 100'000), seed);
     const auto turn = [](const TurnCase& question) { return edge_function(question.p, question.q); };
     const auto rounded = [](const TurnCase& question) {
         return question.p.x * question.q.y - question.p.y * question.q.x;
     };
-    check("nearly parallel vectors", judge(questions, ask<Real>(questions, turn)),
+    check(tally, "nearly parallel vectors", judge(questions, ask<Real>(questions, turn)),
           judge(some(questions), ask<Real>(some(questions), rounded)));
 }
 
 TEST_CASE("the hit with a triangle is right on extreme cases", "[03.4][stability]") {
     for (const TriangleFamily& family : triangle_families()) {
-        const auto questions = family.make(how_many(100'000), seed);
-        check(family.name, judge(questions, ask<std::optional<Hit>>(questions, stable_hit)),
+        const auto questions = family.make(how_many(tally, 100'000), seed);
+        check(tally, family.name, judge(questions, ask<std::optional<Hit>>(questions, stable_hit)),
               judge(some(questions), ask<std::optional<Hit>>(some(questions), naive_hit)));
     }
 }
 
 TEST_CASE("no ray slips through between two triangles", "[03.4][stability]") {
     for (const SurfaceFamily& family : surface_families()) {
-        const std::size_t rays = how_many(family.triangles > 100 ? 500 : 100'000);
+        const std::size_t rays = how_many(tally, family.triangles > 100 ? 500 : 100'000);
         // In parts, because a million cases at once fill the memory rather than the test.
         const std::size_t part = std::max<std::size_t>(1, 20'000 / family.triangles);
         Verdict stable, naive;
@@ -118,13 +86,13 @@ TEST_CASE("no ray slips through between two triangles", "[03.4][stability]") {
             if (first < rays / 10 + 1)
                 add(naive, judge(bundles, ask<std::optional<Hit>>(bundles.cases, naive_hit)));
         }
-        check(family.name, stable, naive);
+        check(tally, family.name, stable, naive);
     }
 }
 
 TEST_CASE("the nearest of many triangles is, to the bit, the nearest of one at a time", "[03.6][stability]") {
     for (const SurfaceFamily& family : surface_families()) {
-        const Bundles bundles = family.make(how_many(family.triangles > 100 ? 100 : 20'000), seed);
+        const Bundles bundles = family.make(how_many(tally, family.triangles > 100 ? 100 : 20'000), seed);
         std::vector<Triangle> triangles;
         std::size_t wrong = 0;
         for (const Bundle& bundle : bundles.bundles) {
@@ -153,7 +121,7 @@ TEST_CASE("the judge of triangles agrees with CGAL's own predicate", "[stability
     std::size_t asked = 0, different = 0, exactly_on_an_edge = 0;
     for (const SurfaceFamily& family : surface_families()) {
         if (family.triangles > 100) continue;
-        for (const TriangleCase& item : family.make(how_many(2'000), seed + 1).cases) {
+        for (const TriangleCase& item : family.make(how_many(tally, 2'000), seed + 1).cases) {
             const std::optional<bool> right = oracle::cgal_ray_meets_triangle(item.triangle, item.ray);
             if (!right) continue;
             const oracle::TriangleTruth truth = oracle::judge_triangle(item.triangle, item.ray, 0);

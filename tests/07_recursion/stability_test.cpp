@@ -1,15 +1,13 @@
 // The optics of chapter 7 against 64-bit mantissas, on cases made to break them.
 // Demands and condition numbers: tests/stability/optics.hpp.
 #include "chapters/07_recursion/optics.hpp"
-#include "tests/catch.hpp"
+#include "tests/stability/check.hpp"
 #include "tests/stability/optics.hpp"
-#include "tests/support.hpp"
 
 #include <limits>
 
 using namespace rt;
 using namespace rt::stability;
-using rt::test::cases;
 
 namespace {
 
@@ -17,11 +15,6 @@ constexpr std::uint64_t seed = 7;
 constexpr bool have_precise = std::numeric_limits<long double>::digits >= 64;
 
 Tally tally("07 recursion");
-
-std::size_t how_many(int full) {
-    tally.print = cases(full) == full;
-    return static_cast<std::size_t>(cases(full));
-}
 
 template <class Method>
 std::vector<std::optional<Vec3>> refracted(const std::vector<InterfaceCase>& questions, Method method) {
@@ -67,7 +60,7 @@ TEST_CASE("refraction is right at and beside the critical angle, grazing, and be
     if (!have_precise) return;
     Naive root_first{"taking the root first"}, cancelling{"1 - eta²(1 - cos²)"};
     for (const InterfaceFamily& family : interface_families()) {
-        const auto questions = family.make(how_many(100'000), seed);
+        const auto questions = family.make(how_many(tally, 100'000), seed);
         check(family, judge_refraction(questions, refracted(questions, refract)));
         root_first.judged(judge_refraction(questions, refracted(questions, naive::refract_root_first)));
         cancelling.judged(judge_refraction(questions, refracted(questions, naive::refract_cancelling)));
@@ -87,7 +80,7 @@ TEST_CASE("light takes the same way back", "[07.2][stability]") {
         return judge_way_back(questions, there, back);
     };
     for (const InterfaceFamily& family : interface_families()) {
-        const auto questions = family.make(how_many(100'000), seed + 1);
+        const auto questions = family.make(how_many(tally, 100'000), seed + 1);
         check(family, way_back(questions, refract));
         cancelling.judged(way_back(questions, naive::refract_cancelling));
     }
@@ -98,7 +91,7 @@ TEST_CASE("Fresnel's reflectance is right on the same cases", "[07.3][stability]
     if (!have_precise) return;
     Naive root_first{"taking the root first"}, cancelling{"1 - eta²(1 - cos²)"};
     for (const InterfaceFamily& family : interface_families()) {
-        const auto questions = cosine_cases(family, how_many(100'000), seed + 2);
+        const auto questions = cosine_cases(family, how_many(tally, 100'000), seed + 2);
         check(family, judge_reflectance(questions, reflected(questions, fresnel)));
         root_first.judged(judge_reflectance(questions, reflected(questions, naive::fresnel_root_first)));
         cancelling.judged(judge_reflectance(questions, reflected(questions, naive::fresnel_cancelling)));
@@ -111,7 +104,7 @@ TEST_CASE("what is reflected and what goes through make 1, to 4 roundings", "[07
     if (!have_precise) return;
     Naive cancelling{"1 - eta²(1 - cos²)"};
     for (const InterfaceFamily& family : interface_families()) {
-        const auto questions = cosine_cases(family, how_many(100'000), seed + 3);
+        const auto questions = cosine_cases(family, how_many(tally, 100'000), seed + 3);
         check(family, judge_energy(questions, reflected(questions, fresnel)));
         cancelling.judged(judge_energy(questions, reflected(questions, naive::fresnel_cancelling)));
     }
