@@ -165,7 +165,7 @@ void add_project(Line& line) {
                        });
     sub->add_option("what", line.report.what, "error-time, stability or leave-out; default: all three");
     sub->add_option("-o,--output", line.report.output, "directory of the page; default: build/report");
-    sub->add_flag("--quick", line.quick, "a minute instead of ten: fewer cases, samples and triangles");
+    sub->add_flag("--quick", line.quick, "half a minute instead of five: fewer cases, samples and triangles");
 
     sub = line.command("test", "every test of the project", "test --quick",
                        [&line] { return run_test(line.quick, line.json); });

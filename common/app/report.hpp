@@ -9,7 +9,7 @@ namespace rt {
 struct ReportCommand {
     std::string what;              ///< "error-time", "stability" or "leave-out"; empty: all three
     std::filesystem::path output;  ///< directory of the page; empty: `report` in the build directory
-    bool quick = false;            ///< fewer cases and samples: a minute instead of ten
+    bool quick = false;            ///< fewer cases and samples: half a minute instead of five
     bool json = false;
 };
 

@@ -385,7 +385,7 @@ std::string report_page(const ReportData& data, const std::vector<ReportPlot>& p
     const std::string quick =
         data.at("quick").get<bool>()
             ? "<p class=\"quiet\">A quick report: fewer cases, smaller pictures, smaller grids. Without "
-              "<code>--quick</code> it takes about ten minutes and is to be trusted more.</p>\n"
+              "<code>--quick</code> it takes about five minutes and is to be trusted more.</p>\n"
             : "";
     return html_page("Measured: a ray tracing course",
                      "<header>\n<h1>How wrong, how long, and where it breaks</h1>\n"
