@@ -57,7 +57,7 @@ struct Finding {
     std::size_t changed_pixels = 0;
     Real greatest = 0;         ///< steps of 1/65535
     double seconds = 0;        ///< that POV-Ray took, its start-up of an empty scene subtracted
-    double our_seconds = 0;    ///< that we took for as many pixels and threads, with reading and compiling
+    double our_seconds = 0;    ///< that we took for the same samples on as many threads, with reading and compiling
     std::string problem = {};  ///< why the scene could not be checked
 
     bool is_same() const { return pov == State::Same && picture == State::Same && problem.empty(); }
@@ -145,15 +145,20 @@ double povray_startup(const fs::path& directory) {
     return least;
 }
 
-/// Seconds from the scene's file to our picture of the pixels that POV-Ray was asked for.
-double our_time(const fs::path& file, int scale) {
+/// Seconds from the scene's file to our picture of the samples that POV-Ray was asked for; 0 where these are
+/// not ours.
+double our_time(const fs::path& file, const PovrayRun& run) {
+    if (!run.exact) return 0;
     const auto start = std::chrono::steady_clock::now();
     Scene scene = parse_scene(file);
-    if (scale > 1) {
-        scene.width *= scale, scene.height *= scale;
+    if (run.scale > 1) {
+        scene.width *= run.scale, scene.height *= run.scale;
         scene.sampling = {};
     }
-    render(compile(scene), {.threads = povray_threads, .progress = {}});
+    RenderOptions options;
+    options.threads = povray_threads;
+    options.estimate = false;
+    render(compile(scene), options);
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -165,7 +170,7 @@ void check_scene(Finding& finding, const fs::path& directory, double startup, bo
     finding.pov = compare_text(scene.pov, text);
     const Image made = run_povray(scene, text, parsed, directory, finding.seconds);
     finding.seconds = std::max(finding.seconds - startup, 0.);
-    finding.our_seconds = our_time(scene.scene, povray_run(parsed).scale);
+    finding.our_seconds = our_time(scene.scene, povray_run(parsed));
     compare_picture(made, finding);
     if (!make) return;
     if (finding.pov != State::Same) {

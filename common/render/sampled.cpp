@@ -175,6 +175,12 @@ struct Picture {
             for (int x = tile.x0; x < tile.x1; ++x) visit(x, y);
     }
 
+    /// The colour of one sample alone.
+    Vec3 color_at(int x, int y, const Vec2& at) const {
+        const PixelSample alone{at, 1};
+        return sample_pixel(world, x, y, {&alone, 1}, color);
+    }
+
     std::vector<PixelSample> pattern(const Patterns& patterns, int x, int y, std::uint64_t pass) const {
         const std::vector<PixelSample> samples =
             patterns.of(x, y, pass, counts.empty() ? patterns.count : counts[index(x, y)]);
@@ -197,8 +203,7 @@ struct Picture {
         each_pixel(sampled, [&](int x, int y) {
             for (const PixelSample& sample : pattern(patterns, x, y, pass)) {
                 const Vec2 at(x + sample.at.x, y + sample.at.y);
-                const PixelSample alone{sample.at, 1};
-                samples.push_back({at, sample_pixel(world, x, y, {&alone, 1}, color), sample.weight});
+                samples.push_back({at, color_at(x, y, sample.at), sample.weight});
             }
             if (samples.size() >= film_part) expose();
         });
@@ -325,8 +330,7 @@ struct Picture {
                             colors.clear();
                             for (const PixelSample& sample : random_samples(
                                      pilot, random_for(world.sampling.seed, index(x, y), pilot_pass))) {
-                                const PixelSample alone{sample.at, 1};
-                                colors.push_back(sample_pixel(world, x, y, {&alone, 1}, color));
+                                colors.push_back(color_at(x, y, sample.at));
                             }
                             ray_counts().camera += static_cast<std::uint64_t>(pilot);
                             ray_counts().random_numbers += 2 * static_cast<std::uint64_t>(pilot);
