@@ -55,9 +55,10 @@ struct Finding {
     State pov = State::Same;
     State picture = State::Same;
     std::size_t changed_pixels = 0;
-    Real greatest = 0;         ///< steps of 1/65535
-    double seconds = 0;        ///< that POV-Ray took, its start-up of an empty scene subtracted
-    double our_seconds = 0;    ///< that we took for the same samples on as many threads, with reading and compiling
+    Real greatest = 0;   ///< steps of 1/65535
+    double seconds = 0;  ///< that POV-Ray took, its start-up of an empty scene subtracted
+    double our_seconds =
+        0;  ///< that we took for the same samples on as many threads, with reading and compiling
     std::string problem = {};  ///< why the scene could not be checked
 
     bool is_same() const { return pov == State::Same && picture == State::Same && problem.empty(); }

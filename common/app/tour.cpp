@@ -47,7 +47,7 @@ struct Stop {
         if (!problem.empty()) return "failed";
         if (!verdict) return "rendered";
         if (!verdict->passed) return "differs";
-        return verdict->ratio ? "as its error says" : "equal";
+        return verdict->ratio ? "as estimated" : "equal";
     }
 };
 
@@ -275,9 +275,9 @@ std::string overview(const std::vector<Part>& parts) {
     std::string text =
         "<section class=\"card scroll\" tabindex=\"0\" aria-label=\"All scenes in one table\">\n<table>\n"
         "<caption>Times are of one run of the whole tour. Differences are in steps of 1/65535 of linear "
-        "light.</caption>\n<thead><tr>";
+        "light. Error: of random samples, as estimated × what it really is of that.</caption>\n<thead><tr>";
     for (const auto* head : {"chapter", "scene", "size", "ms", "rays/s", "greatest difference",
-                             "pixels over 2", "not at silhouettes", "RMS error × true/estimated", "verdict"})
+                             "pixels over 2", "not at silhouettes", "error", "verdict"})
         text += fmt::format("<th scope=\"col\">{}</th>", head);
     text += "</tr></thead>\n<tbody>\n";
     for (const Part& part : parts)
