@@ -26,10 +26,12 @@ Real channel_difference(Real a, Real b) {
     return std::abs(displayable(a) - displayable(b));
 }
 
-Real encoded_difference(Real a, Real b) {
+Real encoded_difference(Real a, Real b, const Display& display) {
     if (a == b) return 0;  // spares most images most of their powers
     if (std::isnan(a) != std::isnan(b)) return 1;
-    return std::abs(encode(a, Encoding::Srgb) - encode(b, Encoding::Srgb));
+    if (display.eight_bits)
+        return std::abs(encode_byte(a, display.encoding) - encode_byte(b, display.encoding)) / Real(255);
+    return std::abs(encode(a, display.encoding) - encode(b, display.encoding));
 }
 
 Real greatest(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
@@ -57,10 +59,10 @@ Histogram cumulative(const Histogram& histogram, Real pixels) {
 
 }  // namespace
 
-Comparison compare(const Image& image, const Image& reference) {
+Comparison compare(const Image& image, const Image& reference, const Display& display) {
     require_same_size(image, reference);
     Comparison result{.width = image.width, .height = image.height};
-    Histogram display{}, linear{};
+    Histogram shown{}, linear{};
     Real sum = 0, squares = 0;
     for (int y = 0; y < image.height; ++y) {
         Real row_sum = 0, row_squares = 0;
@@ -69,11 +71,11 @@ Comparison compare(const Image& image, const Image& reference) {
             Vec3 difference, encoded;
             for (int i = 0; i < 3; ++i) {
                 difference[i] = channel_difference(a[i], b[i]);
-                encoded[i] = encoded_difference(a[i], b[i]);
+                encoded[i] = encoded_difference(a[i], b[i], display);
             }
             row_sum += difference.x + difference.y + difference.z;
             row_squares += glm::dot(difference, difference);
-            count(display, steps_up(greatest(encoded), 255));
+            count(shown, steps_up(greatest(encoded), 255));
             count(linear, steps_up(greatest(difference), 65535));
             if (greatest(difference) > result.max) {
                 result.max = greatest(difference);
@@ -88,7 +90,7 @@ Comparison compare(const Image& image, const Image& reference) {
     result.mean = sum / (3 * pixels);
     result.rmse = std::sqrt(squares / (3 * pixels));
     if (result.rmse > 0) result.psnr = -20 * std::log10(result.rmse);
-    result.within = cumulative(display, pixels);
+    result.within = cumulative(shown, pixels);
     result.within16 = cumulative(linear, pixels);
     return result;
 }

@@ -7,9 +7,16 @@
 
 namespace rt {
 
+/// What a display shows of two images: their light in this encoding, and where one of them has only 8 bits a
+/// channel, both rounded to these, as they would be in files of the same kind.
+struct Display {
+    Encoding encoding = Encoding::Srgb;
+    bool eight_bits = false;
+};
+
 /// Differences between two images of one size. `max`, `mean` and `rmse` are over all channels, linear,
 /// of values clamped to [0, 1]; `within[n]` is the fraction of pixels whose greatest channel difference,
-/// encoded as sRGB, is at most n/255; `within16[n]` the same in linear steps of 1/65535.
+/// as the display shows it, is at most n/255; `within16[n]` the same in linear steps of 1/65535.
 /// A NaN on one side counts as a difference of 1, on both sides as none.
 struct Comparison {
     int width = 0;
@@ -25,7 +32,7 @@ struct Comparison {
 };
 
 /// Compares two images of at least one pixel; throws InputError, naming both sizes, if the sizes differ.
-Comparison compare(const Image& image, const Image& reference);
+Comparison compare(const Image& image, const Image& reference, const Display& display = {});
 
 /// |image − reference| a pixel and channel, as `compare` measures it, times `gain`, for the eye.
 /// Throws InputError if the sizes differ.

@@ -1,9 +1,11 @@
 // Images from and to files: PNG through stb, PFM and the reading of RGBE by hand.
-// Formats are decoded from and encoded to memory; files are read and written whole.
+// Formats are decoded from and encoded to memory; whole_file.hpp reads and writes the files.
 
 #include "common/image/file.hpp"
 
+#include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/math/printable.hpp"
 
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
@@ -11,25 +13,16 @@
 // stb_image_write defines it for its own use, without a declaration.
 extern "C" unsigned char* stbi_zlib_compress(unsigned char* data, int size, int* packed_size, int quality);
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <bit>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
-#include <system_error>
 #include <utility>
 
 namespace rt {
@@ -41,11 +34,6 @@ using Bytes = std::string_view;
 [[noreturn]] void fail(const fs::path& path, const std::string& what) {
     throw InputError(path.string() + ": " + what);
 }
-
-std::string reason(int error) { return std::generic_category().message(error); }
-
-/// More pixels (1.6 GB of them in memory) are a damaged header or a slip of the keyboard.
-constexpr std::int64_t most_pixels = std::int64_t(1) << 26;
 
 void check_size(const fs::path& path, std::int64_t width, std::int64_t height) {
     if (width < 1 || height < 1 || width > most_pixels || height > most_pixels / width)
@@ -76,17 +64,6 @@ std::uint32_t word(Bytes content, std::size_t i, std::endian order) {
     return value;
 }
 
-std::string read_whole(const fs::path& path) {
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored)) fail(path, "cannot be read: Is a directory");
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) fail(path, "cannot be read: " + reason(errno));
-    std::string content{std::istreambuf_iterator<char>(file), {}};
-    if (file.bad()) fail(path, "cannot be read: " + reason(errno));
-    return content;
-}
-
 // ---- PNG ----
 
 /// The checksum of PNG's chunks (ISO 3309).
@@ -108,6 +85,8 @@ std::uint32_t crc32(Bytes content) {
 void check_png(const fs::path& path, Bytes content) {
     constexpr Bytes signature = "\x89PNG\r\n\x1a\n";
     if (!content.starts_with(signature)) fail(path, "not a PNG file");
+    if (content.size() > 16 && content.substr(12, 4) != "IHDR")
+        fail(path, "the PNG file is damaged (it does not begin with IHDR)");
     content.remove_prefix(signature.size());
     for (Bytes type; type != "IEND";) {
         // A chunk: length of its data, type, data, checksum over type and data.
@@ -121,6 +100,66 @@ void check_png(const fs::path& path, Bytes content) {
     }
 }
 
+[[noreturn]] void fail_png(const fs::path& path) {
+    // It may have the name of a chunk in it, which may be any four bytes.
+    fail(path, "the PNG file is damaged (" + printable(stbi_failure_reason()) + ")");
+}
+
+/// Bytes of the rows of `width` × `height` pixels before packing, each with the number of its filter in
+/// front.
+std::int64_t bytes_of_rows(std::int64_t width, std::int64_t height, std::int64_t bits_per_pixel) {
+    return width == 0 ? 0 : height * (1 + (width * bits_per_pixel + 7) / 8);
+}
+
+/// What the header says that IDAT holds, unpacked. The header is whole: stb has read it.
+std::int64_t unpacked_size(Bytes header) {
+    constexpr std::array<int, 7> channels{1, 0, 3, 1,
+                                          2, 0, 4};  // of colour types 0 to 6; a palette's index is one
+    const std::int64_t width = word(header, 0, std::endian::big), height = word(header, 4, std::endian::big);
+    const std::int64_t bits = byte(header, 8) * channels.at(byte(header, 9));
+    if (byte(header, 12) == 0) return bytes_of_rows(width, height, bits);
+    // Adam7: of each 8 × 8 pixels first one, then twice as many again and again.
+    constexpr std::array<std::array<int, 4>, 7> passes{
+        {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4}, {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}}};
+    std::int64_t sum = 0;
+    for (const auto& [x, y, dx, dy] : passes)
+        sum += bytes_of_rows((width - x + dx - 1) / dx, (height - y + dy - 1) / dy, bits);
+    return sum;
+}
+
+/// The data of all IDAT chunks of a file that `check_png` has passed.
+std::string packed_rows(Bytes content) {
+    std::string packed;
+    for (std::size_t at = 8; at < content.size();) {
+        const std::size_t length = word(content, at, std::endian::big);
+        const Bytes type = content.substr(at + 4, 4);
+        if (type == "IDAT") packed += content.substr(at + 8, length);
+        if (type == "IEND") break;
+        at += 12 + length;
+    }
+    return packed;
+}
+
+/// Unpacks the rows once into no more memory than the header's size needs: stb would go on for as long as
+/// there is something to unpack, which in 3 MB of file may be 3 GB.
+void check_png_data(const fs::path& path, Bytes content) {
+    constexpr std::int64_t surplus = 1 << 20;   // some programs write more than the pixels
+    constexpr std::int64_t most_packed = 1032;  // deflate's greatest ratio: 258 bytes from 2 bits
+    const std::string packed = packed_rows(content);
+    const std::int64_t expected = unpacked_size(content.substr(16));
+    if (expected / most_packed > static_cast<std::int64_t>(packed.size()))
+        fail(path, "the PNG file is damaged (not enough pixels)");
+    const auto room = static_cast<std::size_t>(expected + surplus);
+    const auto unpacked = std::make_unique_for_overwrite<char[]>(room);
+    if (stbi_zlib_decode_buffer(unpacked.get(), static_cast<int>(room), packed.data(),
+                                static_cast<int>(packed.size())) < 0) {
+        const Bytes why = stbi_failure_reason();
+        fail(path, why == "output buffer limit" ? "the PNG file unpacks to more than its " +
+                                                      std::to_string(expected) + " bytes of pixels"
+                                                : "the PNG file is damaged (" + printable(why) + ")");
+    }
+}
+
 struct FreeStb {
     void operator()(void* samples) const { stbi_image_free(samples); }
 };
@@ -129,30 +168,32 @@ struct FreeStb {
 template <typename Sample, typename Decode>
 Image from_samples(const fs::path& path, Sample* samples, int width, int height, Decode decoded) {
     const std::unique_ptr<Sample[], FreeStb> owner(samples);
-    if (!samples) fail(path, std::string("the PNG file is damaged (") + stbi_failure_reason() + ")");
+    if (!samples) fail_png(path);
     Image image = make_image(width, height);
     for (Vec3& p : image.pixels)
         for (int i = 0; i < 3; ++i) p[i] = decoded(*samples++);
     return image;
 }
 
-Image read_png(const fs::path& path, Bytes content, Encoding encoding) {
+Picture read_png(const fs::path& path, Bytes content, Encoding encoding) {
     check_png(path, content);
     if (content.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
         fail(path, "the PNG file is larger than 2 GB");
     const auto* bytes = reinterpret_cast<const stbi_uc*>(content.data());
     const int size = static_cast<int>(content.size());
     int width = 0, height = 0, channels = 0;
-    if (!stbi_info_from_memory(bytes, size, &width, &height, &channels))
-        fail(path, std::string("the PNG file is damaged (") + stbi_failure_reason() + ")");
+    if (!stbi_info_from_memory(bytes, size, &width, &height, &channels)) fail_png(path);
     check_size(path, width, height);
+    check_png_data(path, content);
     if (stbi_is_16_bit_from_memory(bytes, size))
-        return from_samples(path, stbi_load_16_from_memory(bytes, size, &width, &height, &channels, 3), width,
-                            height, [](stbi_us sample) { return sample / Real(65535); });
+        return {from_samples(path, stbi_load_16_from_memory(bytes, size, &width, &height, &channels, 3),
+                             width, height, [](stbi_us sample) { return sample / Real(65535); }),
+                false};
     std::array<Real, 256> light{};
     for (std::size_t i = 0; i < light.size(); ++i) light[i] = decode(static_cast<Real>(i) / 255, encoding);
-    return from_samples(path, stbi_load_from_memory(bytes, size, &width, &height, &channels, 3), width,
-                        height, [&light](stbi_uc sample) { return light[sample]; });
+    return {from_samples(path, stbi_load_from_memory(bytes, size, &width, &height, &channels, 3), width,
+                         height, [&light](stbi_uc sample) { return light[sample]; }),
+            true};
 }
 
 void append(void* text, void* data, int size) {
@@ -175,13 +216,8 @@ std::string big_endian(std::uint32_t n) {
             static_cast<char>(n)};
 }
 
-std::string png_chunk(std::string content) {
-    std::uint32_t crc = ~std::uint32_t(0);
-    for (const char c : content) {
-        crc ^= static_cast<std::uint8_t>(c);
-        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc & 1 ? 0xEDB88320u : 0);
-    }
-    return big_endian(static_cast<std::uint32_t>(content.size()) - 4) + content + big_endian(~crc);
+std::string png_chunk(const std::string& content) {
+    return big_endian(static_cast<std::uint32_t>(content.size()) - 4) + content + big_endian(crc32(content));
 }
 
 /// Three linear samples of 16 bits a pixel. stb writes 8 bits only, but it can pack.
@@ -211,8 +247,8 @@ std::string png16(const Image& image) {
 
 // ---- PFM: a header of text, then rows of floats, the bottom row first ----
 
-Image read_pfm(const fs::path& path, const std::string& content) {
-    std::istringstream header(content.substr(0, 256));
+Image read_pfm(const fs::path& path, Bytes content) {
+    std::istringstream header(std::string(content.substr(0, 256)));
     std::string magic;
     std::int64_t width = 0, height = 0;
     Real scale = 0;
@@ -273,6 +309,8 @@ struct RgbeReader {
     const fs::path& path;
     Bytes rest;
 
+    static bool may_have_runs(std::size_t width) { return width >= 8 && width < 32768; }
+
     std::uint8_t next() {
         if (rest.empty()) fail(path, "the HDR file is cut off");
         const std::uint8_t first = byte(rest, 0);
@@ -291,7 +329,7 @@ struct RgbeReader {
     /// to repeat. Rows of other widths, and of older files, hold plain pixels.
     void row(std::vector<std::array<std::uint8_t, 4>>& pixels) {
         const std::size_t width = pixels.size();
-        const bool runs = width >= 8 && width < 32768 && rest.size() >= 4 && byte(rest, 0) == 2 &&
+        const bool runs = may_have_runs(width) && rest.size() >= 4 && byte(rest, 0) == 2 &&
                           byte(rest, 1) == 2 && byte(rest, 2) < 128;
         if (!runs) {
             for (auto& p : pixels)
@@ -315,6 +353,11 @@ struct RgbeReader {
     [[noreturn]] void damaged() const { fail(path, "the HDR file is damaged (a row has the wrong length)"); }
 };
 
+/// The fewest bytes that a row can have: runs of up to 127 equal values a channel, or plain pixels.
+std::size_t least_row(std::size_t width) {
+    return RgbeReader::may_have_runs(width) ? 4 + 4 * 2 * ((width + 126) / 127) : 4 * width;
+}
+
 Image read_hdr(const fs::path& path, Bytes content) {
     RgbeReader reader{path, content};
     if (!content.starts_with("#?RADIANCE\n") && !content.starts_with("#?RGBE\n"))
@@ -330,8 +373,9 @@ Image read_hdr(const fs::path& path, Bytes content) {
     if (!size || minus_y != "-Y" || plus_x != "+X")
         fail(path, "an HDR file with an unknown order of pixels; expected -Y height +X width");
     check_size(path, width, height);
-    // A row takes at least 4 bytes, so that a tiny file cannot ask for a huge image.
-    if (reader.rest.size() / 4 < static_cast<std::size_t>(height)) fail(path, "the HDR file is cut off");
+    // Known before memory is taken, so that a tiny file cannot ask for a huge image.
+    if (reader.rest.size() / least_row(static_cast<std::size_t>(width)) < static_cast<std::size_t>(height))
+        fail(path, "the HDR file is cut off");
 
     Image image = make_image(static_cast<int>(width), static_cast<int>(height));
     std::vector<std::array<std::uint8_t, 4>> row(static_cast<std::size_t>(width));
@@ -358,51 +402,6 @@ std::string hdr(const Image& image) {
     return content;
 }
 
-// ---- Whole files ----
-
-/// An open file that is closed on every way out, and also removed while it is `temporary`.
-struct OutputFile {
-    fs::path path;
-    bool temporary;
-    int descriptor;
-
-    OutputFile(fs::path where, bool is_new)
-        : path(std::move(where)),
-          temporary(is_new),
-          descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC | (is_new ? O_CREAT | O_EXCL : 0), 0666)) {}
-    OutputFile(const OutputFile&) = delete;
-    OutputFile& operator=(const OutputFile&) = delete;
-    ~OutputFile() {
-        if (descriptor < 0) return;
-        ::close(descriptor);
-        if (temporary) ::unlink(path.c_str());
-    }
-};
-
-/// Writes all of `content`; false, with the reason in errno, if that fails.
-bool write_all(int descriptor, Bytes content) {
-    while (!content.empty()) {
-        const ssize_t written = ::write(descriptor, content.data(), content.size());
-        if (written < 0 && errno != EINTR) return false;
-        if (written > 0) content.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return true;
-}
-
-[[noreturn]] void fail_write(const fs::path& path, int error) {
-    const fs::path directory = path.parent_path();
-    std::error_code ignored;
-    if (error == ENOENT && !directory.empty() && !fs::exists(directory, ignored))
-        fail(path, "cannot be written: there is no directory '" + directory.string() + "'");
-    fail(path, "cannot be written: " + reason(error));
-}
-
-/// A name in `directory` that no other thread or process uses.
-fs::path temporary_name(const fs::path& directory) {
-    static std::atomic<unsigned> count = 0;
-    return directory / (".course-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp");
-}
-
 }  // namespace
 
 Real encode(Real linear, Encoding encoding) {
@@ -423,49 +422,33 @@ std::uint8_t encode_byte(Real linear, Encoding encoding) {
     return static_cast<std::uint8_t>(std::lround(255 * encode(linear, encoding)));
 }
 
-Image read_image(const fs::path& path, Encoding encoding) {
+Picture decode_picture(const fs::path& path, std::string_view content, Encoding encoding) {
     const std::string format = ending(path);
-    if (format == ".png") return read_png(path, read_whole(path), encoding);
-    if (format == ".pfm") return read_pfm(path, read_whole(path));
-    if (format == ".hdr") return read_hdr(path, read_whole(path));
+    if (format == ".png") return read_png(path, content, encoding);
+    if (format == ".pfm") return {read_pfm(path, content), false};
+    if (format == ".hdr") return {read_hdr(path, content), false};
     fail_ending(path);
 }
 
-void write_image(const fs::path& path, const Image& image, Encoding encoding) {
+Picture read_picture(const fs::path& path, Encoding encoding) {
+    require_picture_ending(path);
+    return decode_picture(path, read_whole(path), encoding);
+}
+
+Image read_image(const fs::path& path, Encoding encoding) { return read_picture(path, encoding).image; }
+
+void require_picture_ending(const fs::path& path) {
     const std::string format = ending(path);
     if (format != ".png" && format != ".pfm" && format != ".hdr") fail_ending(path);
+}
+
+void write_image(const fs::path& path, const Image& image, Encoding encoding) {
+    require_picture_ending(path);
+    const std::string format = ending(path);
     check_size(path, image.width, image.height);
     write_file(path, format == ".png" ? png(image, encoding) : format == ".pfm" ? pfm(image) : hdr(image));
 }
 
 void write_png16(const std::filesystem::path& path, const Image& image) { write_file(path, png16(image)); }
-
-void write_file(const fs::path& path, std::string_view content) {
-    std::error_code error;
-    const fs::file_status before = fs::status(path, error);
-    if (fs::exists(before) && !fs::is_regular_file(before) && !fs::is_directory(before)) {
-        // A device or a pipe: a rename would replace it.
-        const OutputFile file(path, false);
-        if (file.descriptor < 0 || !write_all(file.descriptor, content)) fail_write(path, errno);
-        return;
-    }
-
-    fs::path target = path;
-    for (int links = 0; fs::is_symlink(target, error); ++links) {
-        if (links == 40) fail_write(path, ELOOP);
-        target = target.parent_path() / fs::read_symlink(target, error);
-    }
-
-    for (;;) {
-        OutputFile file(temporary_name(target.parent_path()), true);
-        if (file.descriptor < 0 && errno == EEXIST) continue;  // left by a process of this number, killed
-        if (file.descriptor < 0 || !write_all(file.descriptor, content)) fail_write(path, errno);
-        if (fs::is_regular_file(before))
-            ::fchmod(file.descriptor, static_cast<mode_t>(before.permissions() & fs::perms::all));
-        if (::rename(file.path.c_str(), target.c_str()) != 0) fail_write(path, errno);
-        file.temporary = false;
-        return;
-    }
-}
 
 }  // namespace rt

@@ -601,6 +601,12 @@ Scene parse_scene(const std::filesystem::path& file, const ParseOptions& options
     return parse_scene_text(read_text(file, file.string()), file.string(), file.parent_path(), options);
 }
 
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, const Scene& scene) {
+    std::vector<std::filesystem::path> files{file};
+    for (const Mesh& mesh : scene.meshes) files.push_back(file.parent_path() / mesh.file);
+    return files;
+}
+
 const std::vector<SceneCommand>& scene_commands() {
     static const std::vector<SceneCommand> list = [] {
         std::vector<SceneCommand> all;

@@ -2,6 +2,7 @@
 // The language is described in README.md beside this file.
 #pragma once
 
+#include "common/image/file.hpp"
 #include "common/scene/scene.hpp"
 
 #include <filesystem>
@@ -12,9 +13,8 @@
 namespace rt {
 
 // What is possible at all.
-inline constexpr int largest_side = 65536;         ///< pixels of a picture's side
-inline constexpr long long most_pixels = 1 << 28;  ///< of a picture
-inline constexpr int most_samples = 65536;         ///< a pixel, in one pattern
+inline constexpr int largest_side = 65536;  ///< pixels of a picture's side; all of them: `most_pixels`
+inline constexpr int most_samples = 65536;  ///< a pixel, in one pattern
 
 /// How strictly to read, and what else may be read.
 struct ParseOptions {
@@ -31,6 +31,9 @@ Scene parse_scene(const std::filesystem::path& file, const ParseOptions& options
 /// The same from text; `name` stands for the file in messages, meshes are looked for in `directory`.
 Scene parse_scene_text(std::string_view text, const std::string& name,
                        const std::filesystem::path& directory = {}, const ParseOptions& options = {});
+
+/// The files that were read for `scene`, the scene of `file`: that file, and those of its meshes.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, const Scene& scene);
 
 /// One command of the language, as the reference documents it.
 struct SceneCommand {

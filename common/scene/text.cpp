@@ -2,17 +2,14 @@
 // Nothing here depends on the locale or allocates memory for each word.
 #include "common/scene/text.hpp"
 
+#include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/scene/suggest.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <system_error>
 
 namespace rt {
@@ -106,18 +103,7 @@ std::string read_text(const std::filesystem::path& path, const std::string& name
         throw InputError(name + ": there is no such file" + similar_file(path));
     if (std::filesystem::is_directory(status)) throw InputError(name + ": is a directory, not a file");
 
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.string().c_str(), "rb"),
-                                                               std::fclose);
-    if (!file) throw InputError(name + ": cannot be read: " + std::strerror(errno));
-
-    std::string text;
-    std::vector<char> buffer(std::size_t{1} << 20);
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
-        text.append(buffer.data(), count);
-        if (std::memchr(buffer.data(), 0, count)) break;
-    }
-    if (std::ferror(file.get())) throw InputError(name + ": cannot be read: " + std::strerror(errno));
-    return text;
+    return read_whole(path);
 }
 
 std::string_view without_bom(std::string_view text) {

@@ -39,8 +39,8 @@ std::string_view take_line(std::string_view& text, char line_end);
 char line_end_of(std::string_view text);
 
 /// The content of a text file. Throws InputError, with `name` in front and the reason, where there is no such
-/// file (with a suggestion where one of a similar name is beside it), it is a directory, or it cannot be
-/// read. Reading stops soon after a NUL byte, because no text has one.
+/// file (with a suggestion where one of a similar name is beside it) or it is a directory, and as
+/// `read_whole`.
 std::string read_text(const std::filesystem::path& path, const std::string& name);
 
 /// A byte order mark of UTF-8 taken off the front.

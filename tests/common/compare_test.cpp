@@ -93,6 +93,26 @@ TEST_CASE("within counts pixels by their greatest channel, as the display shows 
     CHECK(c.worst_x == 3);
 }
 
+TEST_CASE("8-bit pictures are judged by their 8 bits, in their encoding") {
+    // One dark step of a linear file is 12.9 of 255 in sRGB's curve, and still one step of that file.
+    Image black = make_image(3, 1), dark = black;
+    for (int x = 0; x < 3; ++x) pixel(dark, x, 0) = Vec3(x / Real(255));
+    CHECK(compare(dark, black, {Encoding::Linear, true}).within[1] == 2 / Real(3));
+    CHECK(compare(dark, black, {Encoding::Linear, true}).within[2] == 1);
+    CHECK(compare(dark, black).within[12] == 1 / Real(3));
+
+    // What a file of 8 bits would hold of an exact picture is equal to it, and a step away is one step.
+    Image exact = make_image(256, 1), file = exact, beside = exact;
+    for (int x = 0; x < 256; ++x) {
+        pixel(exact, x, 0) = Vec3(decode((x + (x % 2 == 0 ? 0.49 : -0.49)) / 255, Encoding::Srgb));
+        pixel(file, x, 0) = Vec3(decode(x / Real(255), Encoding::Srgb));
+        pixel(beside, x, 0) = Vec3(decode((x == 255 ? 254 : x + 1) / Real(255), Encoding::Srgb));
+    }
+    CHECK(compare(file, exact, {Encoding::Srgb, true}).within[0] == 1);
+    CHECK(compare(beside, exact, {Encoding::Srgb, true}).within[0] == 0);
+    CHECK(compare(beside, exact, {Encoding::Srgb, true}).within[1] == 1);
+}
+
 TEST_CASE("a step and a half is more than one and at most two") {
     const Comparison c = compare(filled(1, 1, Vec3(1.5 / 65535)), filled(1, 1, Vec3(0)));
     CHECK(c.within16[1] == 0);

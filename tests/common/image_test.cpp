@@ -6,14 +6,18 @@
 #include "tests/support.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <fstream>
 #include <iterator>
+#include <new>
 #include <string>
 #include <thread>
 
@@ -89,11 +93,16 @@ std::string png_file(std::uint32_t width, std::uint32_t height, char depth, PngC
         a = (a + static_cast<std::uint8_t>(c)) % 65521;
         b = (b + a) % 65521;
     }
-    const int size = static_cast<int>(rows.size());
-    std::string data = "\x78\x01\x01";  // zlib header; the last deflate block, stored
-    for (const int n : {size, ~size})
-        for (const int shift : {0, 8}) data += static_cast<char>(n >> shift & 0xFF);
-    data += rows + big_endian(b << 16 | a);
+    std::string data = "\x78\x01";  // zlib header; then deflate blocks of at most 65535 bytes, stored
+    for (std::size_t at = 0; at == 0 || at < rows.size(); at += 65535) {
+        const std::string block = rows.substr(at, 65535);
+        const int size = static_cast<int>(block.size());
+        data += at + 65535 < rows.size() ? '\0' : '\1';  // the last has a mark
+        for (const int n : {size, ~size})
+            for (const int shift : {0, 8}) data += static_cast<char>(n >> shift & 0xFF);
+        data += block;
+    }
+    data += big_endian(b << 16 | a);
     return "\x89PNG\r\n\x1a\n" +
            png_chunk("IHDR", big_endian(width) + big_endian(height) + depth + std::string{colour, 0, 0, 0}) +
            (palette.empty() ? "" : png_chunk("PLTE", palette)) + png_chunk("IDAT", data) +
@@ -350,6 +359,29 @@ TEST_CASE("what RGBE cannot hold becomes the nearest that it can") {
 
 // ---- Damaged files ----
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;  // it reserves terabytes of addresses
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
+
+/// This process can take no more than `bytes` of memory more while this lives.
+struct MemoryLimit {
+    rlimit before{};
+    explicit MemoryLimit(std::size_t bytes) {
+        ::getrlimit(RLIMIT_AS, &before);
+        std::size_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        const rlimit limit{pages * static_cast<std::size_t>(::getpagesize()) + bytes, before.rlim_max};
+        if (pages > 0 && !sanitized) ::setrlimit(RLIMIT_AS, &limit);
+    }
+    MemoryLimit(const MemoryLimit&) = delete;
+    MemoryLimit& operator=(const MemoryLimit&) = delete;
+    ~MemoryLimit() { ::setrlimit(RLIMIT_AS, &before); }
+};
+
 TEST_CASE("a damaged file is named with what is wrong") {
     const Directory directory;
     const std::string good = png_file(1, 1, 8, Rgb, bytes({0, 1, 2, 3}));
@@ -395,16 +427,88 @@ TEST_CASE("a damaged file is named with what is wrong") {
              {"huge.hdr", hdr_header + "-Y 1 +X 70000000\n1234",
               "an image of 70000000 x 1 pixels; expected at least 1 x 1 and at most 67108864 pixels"},
              {"tiny.hdr", hdr_header + "-Y 8000 +X 8000\n1234", "the HDR file is cut off"},
+             {"chunk.png", good.substr(0, 33) + png_chunk("\x1b[2J", "") + good.substr(33),
+              "the PNG file is damaged (\\x1b[2J PNG chunk not known)"},
+             {"first.png", "\x89PNG\r\n\x1a\n" + png_chunk("CgBI", "1234") + good.substr(8),
+              "the PNG file is damaged (it does not begin with IHDR)"},
+             {"more.png", png_file(1, 1, 8, Rgb, std::string(2 << 20, '\0')),
+              "the PNG file unpacks to more than its 4 bytes of pixels"},
              {"cut.hdr", hdr_header + "-Y 1 +X 8\n" + row + bytes({128 + 8, 5, 128 + 8}),
               "the HDR file is cut off"},
-             {"zero.hdr", hdr_header + "-Y 1 +X 8\n" + row + bytes({0, 0, 0, 0}), bad_row},
-             {"run.hdr", hdr_header + "-Y 1 +X 8\n" + row + bytes({128 + 9, 5}), bad_row},
-             {"width.hdr", hdr_header + "-Y 1 +X 9\n" + row, bad_row},
+             {"zero.hdr", hdr_header + "-Y 1 +X 8\n" + row + bytes({0, 0, 0, 0, 0, 0, 0, 0}), bad_row},
+             {"run.hdr", hdr_header + "-Y 1 +X 8\n" + row + bytes({128 + 9, 5, 0, 0, 0, 0, 0, 0}), bad_row},
+             {"width.hdr", hdr_header + "-Y 1 +X 9\n" + row + "12345678", bad_row},
              {"long.hdr", hdr_header + "-Y 1 +X 1\n12345", "the HDR file goes on after its last pixel"},
          }) {
         const fs::path path = directory.file(c.name, c.content);
         CHECK(read_error(path) == path.string() + ": " + c.error);
     }
+}
+
+TEST_CASE("a small file takes no great memory, whatever size it says it has") {
+    const Directory directory;
+    // Each says that it has 2^26 pixels: 1.6 GB of them.
+    for (const fs::path& path :
+         {directory.file("wide.hdr", hdr_header + "-Y 1 +X 67108864\n1234"),
+          directory.file("runs.hdr", hdr_header + "-Y 4096 +X 16384\n" + std::string(4 * 4096, '\2')),
+          directory.file("plain.pfm", "PF 8192 8192 -1\n1234"),
+          directory.file("square.png", png_file(8192, 8192, 16, Rgba, "x")),
+          directory.file("line.png", png_file(67108864, 1, 8, Grey, "x"))}) {
+        CAPTURE(path);
+        std::string error;
+        {
+            const MemoryLimit limit(std::size_t{64} << 20);
+            error = error_of([&] {
+                try {
+                    read_image(path);
+                } catch (const std::bad_alloc&) {
+                    throw InputError("more memory was taken");
+                }
+            });
+        }
+        CHECK(error.starts_with(path.string() + ": "));
+    }
+}
+
+TEST_CASE("every PNG that holds as many bytes as its header says is read, interlaced ones too") {
+    const Directory directory;
+    // A row of three pixels of 2 bits is one byte and its filter's; Adam7 has 1, 0, 0, 1, 0 and 1 pixels in
+    // it.
+    const std::string plain = png_file(3, 1, 2, Grey, bytes({0, 0b00'01'11'00}));
+    std::string header = plain.substr(16, 13), rows = bytes({0, 0b00'000000, 0, 0b11'000000, 0, 0b01'000000});
+    header[12] = 1;
+    const std::string data = png_file(3, 1, 2, Grey, rows).substr(33);
+    const fs::path interlaced =
+        directory.file("interlaced.png", plain.substr(0, 8) + png_chunk("IHDR", header) + data);
+    const fs::path straight = directory.file("straight.png", plain);
+    const Image image = read_image(straight, Encoding::Linear);
+    CHECK(image.pixels == std::vector<Vec3>{Vec3(0), Vec3(1 / Real(3)), Vec3(1)});
+    CHECK(read_image(interlaced, Encoding::Linear).pixels == image.pixels);
+}
+
+TEST_CASE("devices, pipes without a writer and endless files are refused") {
+    const Directory directory;
+    fs::create_symlink("/dev/zero", directory / "zero.pfm");
+    CHECK(read_error(directory / "zero.pfm") ==
+          (directory / "zero.pfm").string() + ": cannot be read: it is a device, not a file");
+    REQUIRE(::mkfifo((directory / "pipe.png").c_str(), 0600) == 0);
+    CHECK(read_error(directory / "pipe.png") ==
+          (directory / "pipe.png").string() + ": cannot be read: nobody writes into this pipe");
+    directory.file("long.hdr", "");
+    fs::resize_file(directory / "long.hdr", largest_file + 1);  // takes no room on the disk
+    CHECK(read_error(directory / "long.hdr") ==
+          (directory / "long.hdr").string() + ": more than 1073741824 bytes; no larger file is read");
+}
+
+TEST_CASE("a picture comes through a pipe") {
+    const Directory directory;
+    const fs::path pipe = directory / "pipe.pfm";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    write_image(directory / "a.pfm", random_image(200, 100, 4));
+    std::thread writer([&] { write_file(pipe, content_of(directory / "a.pfm")); });
+    const Image image = read_image(pipe);
+    writer.join();
+    CHECK(image.pixels == read_image(directory / "a.pfm").pixels);
 }
 
 TEST_CASE("no beginning of a picture passes for the picture") {
@@ -555,6 +659,97 @@ TEST_CASE("a pipe is written to, not replaced") {
     ::close(end);
     CHECK(fs::is_fifo(pipe));
     CHECK(directory.count() == 1);
+}
+
+TEST_CASE("a file that is read-only is neither written nor replaced") {
+    const Directory directory;
+    directory.file("a.pfm", "precious");
+    fs::permissions(directory / "a.pfm", fs::perms::owner_read | fs::perms::group_read);
+    fs::create_symlink("a.pfm", directory / "link.pfm");
+    for (const std::string name : {"a.pfm", "link.pfm"}) {
+        const std::string expected = (directory / name).string() + ": cannot be written: it is read-only";
+        CHECK(error_of([&] { write_file(directory / name, "x"); }) == expected);
+        CHECK(error_of([&] { require_writable(directory / name); }) == expected);
+    }
+    CHECK(content_of(directory / "a.pfm") == "precious");
+    CHECK(directory.count() == 2);
+}
+
+TEST_CASE("a place that cannot be written is found without writing") {
+    const Directory directory;
+    directory.file("file", "kept");
+    fs::create_directory(directory / "d");
+    const auto place_error = [&](const std::string& name) {
+        return error_of([&] { require_writable(directory / name); });
+    };
+    const std::string at = directory.path.string();
+    CHECK(place_error("new") == "");
+    CHECK(place_error("file") == "");
+    CHECK(place_error("d") == at + "/d: cannot be written: Is a directory");
+    CHECK(place_error("file/a") == at + "/file/a: cannot be written: Not a directory");
+    CHECK(place_error("no/a") == at + "/no/a: cannot be written: there is no directory '" + at + "/no'");
+    CHECK(place_error(std::string(300, 'n')).ends_with(": cannot be written: File name too long"));
+    CHECK(error_of([] { require_writable("/proc/new"); }).starts_with("/proc/new: cannot be written: "));
+    CHECK(error_of([&] { make_directories(directory / "file" / "a"); }) ==
+          at + "/file/a: cannot be made a directory: Not a directory");
+    CHECK(content_of(directory / "file") == "kept");
+    CHECK(directory.count() == 2);
+}
+
+TEST_CASE("a file that is read is known by whatever name") {
+    const Directory directory;
+    const fs::path scene = directory.file("a.scene", "x");
+    directory.file("other", "x");
+    fs::create_hard_link(scene, directory / "hard");
+    fs::create_symlink("hard", directory / "soft");
+    for (const std::string name : {"a.scene", "hard", "soft", "./a.scene"})
+        CHECK(error_of([&] {
+                  require_no_input(directory / name, {directory / "other", scene});
+              }) == (directory / name).string() + ": cannot be written: it is '" + scene.string() +
+                        "', which is read here");
+    for (const std::string name : {"other", "new"})
+        CHECK(error_of([&] {
+                  require_no_input(directory / name, {scene, "", directory / "missing"});
+              }) == "");
+}
+
+TEST_CASE("temporary files of killed programs go with the next write, those in use stay") {
+    const Directory directory;
+    fs::create_directory(directory / "d");  // a directory into which this program has not written yet
+    directory.file("d/.course-99-0.tmp", "left");
+    directory.file("d/.course-98-3.tmp", "in use");
+    directory.file("d/.course-mine.txt", "another's");
+    const int user = ::open((directory / "d/.course-98-3.tmp").c_str(), O_WRONLY);
+    REQUIRE(::flock(user, LOCK_EX) == 0);
+    write_file(directory / "d/a", "x");
+    ::close(user);
+    CHECK_FALSE(fs::exists(directory / "d/.course-99-0.tmp"));
+    CHECK(fs::exists(directory / "d/.course-98-3.tmp"));
+    CHECK(fs::exists(directory / "d/.course-mine.txt"));
+    CHECK(content_of(directory / "d/a") == "x");
+}
+
+TEST_CASE("a signal that ends the program takes its temporary files away") {
+    const Directory directory;
+    const auto temporary_files = [&] {
+        return std::count_if(fs::directory_iterator(directory.path), {},
+                             [](const auto& entry) { return entry.path().extension() == ".tmp"; });
+    };
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+        const pid_t child = ::fork();
+        REQUIRE(child >= 0);
+        if (child == 0) {
+            for (;;) write_file(directory / "a", std::string(1 << 22, 'x'));
+        }
+        while (temporary_files() == 0) ::usleep(100);
+        ::kill(child, signal);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        CHECK(WIFSIGNALED(status));
+        CHECK(WTERMSIG(status) == signal);
+        CHECK(temporary_files() == 0);
+    }
+    if (fs::exists(directory / "a")) CHECK(fs::file_size(directory / "a") == 1 << 22);
 }
 
 TEST_CASE("of writers at the same time one wins whole") {

@@ -414,7 +414,7 @@ TEST_CASE("what is wrong is said with its line and column") {
         {"size 0 240", "s:1:6: width must be from 1 to 65536, not 0"},
         {"size 320 -1", "s:1:10: height must be from 1 to 65536, not -1"},
         {"size 65537 1", "s:1:6: width must be from 1 to 65536, not 65537"},
-        {"size 65536 65536", "s:1:6: 65536 by 65536 is 4294967296 pixels; at most 268435456 are possible"},
+        {"size 65536 65536", "s:1:6: 65536 by 65536 is 4294967296 pixels; at most 67108864 are possible"},
         {"maxdepth -1", "s:1:10: the number of bounces must be from 0 to 2147483647, not -1"},
         {"maxverts -1", "s:1:10: the number of vertices must be from 0 to 9007199254740992, not -1"},
         {"maxvertnorms 1.5", "s:1:14: '1.5' is not a whole number; expected: maxvertnorms n"},
