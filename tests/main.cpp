@@ -1,6 +1,7 @@
 // The main program of every test program: Catch2, and a report that a crash cannot take away.
 // Beside Catch2's own options: --quick (fewer random cases) and --report FILE (see below).
 #define COURSE_TEST_MAIN
+#include "common/math/printable.hpp"
 #include "common/math/todo.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
@@ -20,13 +21,14 @@ namespace {
 std::string report_file;
 int passed = 0, failed = 0, waiting = 0;
 bool finished = false;
+bool reported = true;  // as long as every line of the report could be written
 
 // The step whose function a test called although it is not started; empty while there was none.
 std::string missing_step;
 
 std::string json(std::string_view text) {
     std::string quoted = "\"";
-    for (const char c : text) {
+    for (const char c : printable(text, Keep::Controls)) {
         if (c == '"' || c == '\\') {
             quoted += {'\\', c};
         } else if (static_cast<unsigned char>(c) < 0x20) {
@@ -109,6 +111,7 @@ struct Report : Listener {
     void testRunEnded(const Catch::TestRunStats&) override {
         finished = true;
         out << "{\"finished\":true}" << std::endl;
+        reported = report_file.empty() || out.good();
     }
 
     static std::string steps(const Catch::TestCaseInfo& info) {
@@ -129,8 +132,9 @@ CATCH_TRANSLATE_EXCEPTION(const NotImplemented& error) {
 
 }  // namespace rt::test
 
-/// Exit status: 0 if every test passed, 1 if not, 2 for a wrong command line. The last line on standard
-/// output is `N passed, N failed`, and `, N skipped` where functions that tests need are not started.
+/// Exit status: 0 if every test passed, 1 if not, 2 for a wrong command line or where nothing can be written.
+/// The last line on standard output is `N passed, N failed`, and `, N skipped` where functions that tests
+/// need are not started.
 int main(int argc, char** argv) {
     using namespace rt::test;
     Catch::Session session;
@@ -143,5 +147,9 @@ int main(int argc, char** argv) {
     std::cout << passed << " passed, " << failed << " failed";
     if (waiting > 0) std::cout << ", " << waiting << " skipped";
     std::cout << std::endl;
+    if (!reported || !std::cout) {
+        std::fprintf(stderr, "%s: cannot be written\n", reported ? "standard output" : report_file.c_str());
+        return 2;
+    }
     return failed + waiting > 0 ? 1 : 0;
 }

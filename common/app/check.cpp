@@ -4,6 +4,7 @@
 #include "common/app/console.hpp"
 #include "common/app/exercise.hpp"
 #include "common/app/process.hpp"
+#include "common/math/printable.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -64,7 +65,7 @@ BuildResult build_targets(const Project& project, const std::vector<std::string>
     options.on_line = [&](std::string_view line) { progress.update(std::max(ninja_fraction(line), 0.0)); };
     const ProcessResult result = run_process(command, options);
     if (succeeded(result)) return {true, "", result.output};
-    return {false, first_error(project, result.output), result.output};
+    return {false, printable(first_error(project, result.output)), result.output};
 }
 
 std::string first_error(const Project& project, const std::string& output) {

@@ -2,6 +2,7 @@
 #include "common/app/check.hpp"
 #include "common/app/commands.hpp"
 #include "common/app/console.hpp"
+#include "common/app/json_text.hpp"
 #include "common/app/process.hpp"
 #include "common/app/tour.hpp"
 #include "common/app/verdict.hpp"
@@ -148,7 +149,7 @@ int run_check(const CheckCommand& command) {
     const bool good = std::all_of(asked.begin(), asked.end(), all_passed);
 
     if (command.json) {
-        fmt::print("{}\n", verdicts_json(chapters, asked).dump());
+        fmt::print("{}\n", json_text(verdicts_json(chapters, asked)));
         return good ? 0 : 1;
     }
 

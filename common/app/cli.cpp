@@ -2,6 +2,8 @@
 #include "common/app/commands.hpp"
 
 #include "common/app/catalogue.hpp"
+#include "common/app/console.hpp"
+#include "common/app/json_text.hpp"
 #include "common/app/references.hpp"
 #include "common/app/report.hpp"
 #include "common/app/tour.hpp"
@@ -9,17 +11,58 @@
 #include "common/math/todo.hpp"
 #include "common/scene/parse.hpp"
 #include "common/scene/suggest.hpp"
+#include "common/scene/text.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <charconv>
 #include <cstdio>
 #include <functional>
+#include <new>
+#include <system_error>
 
 namespace rt {
 
 namespace {
+
+/// The text as a whole number from `least` to `most`, in decimal: CLI11 takes 010 for eight.
+CLI::Validator whole_number(long long least, long long most) {
+    return {[=](std::string& text) -> std::string {
+                const std::string_view digits = std::string_view(text).substr(text.starts_with('+') ? 1 : 0);
+                long long value = 0;
+                const char* end = digits.data() + digits.size();
+                const auto [stop, error] = std::from_chars(digits.data(), end, value);
+                if (error != std::errc() || stop != end || value < least || value > most)
+                    return fmt::format("'{}' is not a whole number from {} to {}", text, least, most);
+                text = std::to_string(value);
+                return "";
+            },
+            fmt::format("{} to {}", least, most)};
+}
+
+/// The text as a number from `least` to `most`, written as in a scene: neither infinite nor NaN.
+CLI::Validator number(double least, double most) {
+    return {[=](std::string& text) -> std::string {
+                const ParsedNumber parsed = parse_number(text);
+                if (!parsed.problem.empty()) return fmt::format("'{}' {}", text, parsed.problem);
+                if (parsed.value < least || parsed.value > most)
+                    return fmt::format("'{}' is not between {:g} and {:g}", text, least, most);
+                text = shown(parsed.value);
+                return "";
+            },
+            fmt::format("{:g} to {:g}", least, most)};
+}
+
+/// No option means anything by an empty text; it is a variable of a script that was never set.
+void refuse_empty_values(CLI::App& app) {
+    const CLI::Validator not_empty(
+        [](std::string& text) -> std::string { return text.empty() ? "the value is empty" : ""; }, "");
+    for (CLI::App* command : app.get_subcommands({}))
+        for (CLI::Option* option : command->get_options())
+            if (option->get_items_expected_max() > 0) option->check(not_empty);
+}
 
 /// What the chosen command will do, once the whole line has been understood.
 using Action = std::function<int()>;
@@ -90,21 +133,21 @@ void add_pictures(Line& line) {
                     "the picture's file; default: as the scene says, else its name");
     sub->add_option("--size", line.render.size, "width and height in pixels, such as 640x480");
     sub->add_option("--threads", line.render.threads, "number of threads; default: one a core")
-        ->check(CLI::Range(1, 1024));
+        ->transform(whole_number(1, 1024));
     sub->add_option("--integrator", line.render.integrator,
                     "raytrace, flat, directions, normals, uv or rasterize instead of what the scene says");
     CLI::Option* samples =
         sub->add_option("--spp", line.render.samples, "samples a pixel, instead of the scene's")
-            ->check(CLI::Range(1, most_samples));
+            ->transform(whole_number(1, most_samples));
     sub->add_option("--seconds", line.render.seconds, "go on with more samples for so long")
-        ->check(CLI::Range(1e-3, 1e6))
+        ->transform(number(1e-3, 1e6))
         ->excludes(samples);
     sub->add_option("--error", line.render.error,
                     "go on with more samples until the RMS error is about so small, such as 0.002")
-        ->check(CLI::Range(1e-6, 1.0))
+        ->transform(number(1e-6, 1))
         ->excludes(samples);
     sub->add_option("--seed", line.render.seed, "which random numbers are used")
-        ->check(CLI::Range(0.0, 0x1p53 - 1));
+        ->transform(whole_number(0, (1LL << 53) - 1));
     CLI::Option* solutions =
         sub->add_flag("--solutions", line.render.solutions, "with the solutions of all chapters");
     sub->add_flag("--mine", line.render.mine, "with your code for all chapters, also where it does not pass")
@@ -120,7 +163,7 @@ void add_pictures(Line& line) {
     sub->add_option("reference", line.compare.reference, "another of the same size")->required();
     sub->add_option("--within", line.compare.within,
                     "differences up to N/255 of the display's range pass; default 1")
-        ->check(CLI::Range(0, 255));
+        ->transform(whole_number(0, 255));
     sub->add_option("--diff", line.compare.diff, "write a picture of the differences");
     sub->add_option("--page", line.compare.page, "write a page with the pictures side by side");
     sub->add_option("--encoding", line.compare.encoding, "of 8-bit files: srgb or linear; default srgb")
@@ -136,18 +179,23 @@ void add_pictures(Line& line) {
                        "trace references/02_spheres/normals.scene 160 120",
                        [&line] { return run_trace(line.trace); });
     sub->add_option("scene", line.trace.scene, "the scene's file")->required();
-    sub->add_option("x", line.trace.x, "the pixel's column, from 0 at the left")->required();
-    sub->add_option("y", line.trace.y, "the pixel's row, from 0 at the top")->required();
+    sub->add_option("x", line.trace.x, "the pixel's column, from 0 at the left")
+        ->transform(whole_number(0, largest_side - 1))
+        ->required();
+    sub->add_option("y", line.trace.y, "the pixel's row, from 0 at the top")
+        ->transform(whole_number(0, largest_side - 1))
+        ->required();
     sub->add_option("--against", line.trace.against,
                     "solutions: your tree beside theirs, to the first difference");
 
-    sub = line.command("export", "a scene for POV-Ray",
-                       "export references/02_spheres/normals.scene -o normals.pov", [&line] {
-                           const int status = run_export(line.scene, line.output);
-                           if (line.json)
-                               fmt::print("{}\n", nlohmann::json{{"output", line.output.string()}}.dump());
-                           return status;
-                       });
+    sub =
+        line.command("export", "a scene for POV-Ray",
+                     "export references/02_spheres/normals.scene -o normals.pov", [&line] {
+                         const int status = run_export(line.scene, line.output);
+                         if (line.json)
+                             fmt::print("{}\n", json_text(nlohmann::json{{"output", line.output.string()}}));
+                         return status;
+                     });
     sub->add_option("scene", line.scene, "the scene's file")->required();
     sub->add_option("-o,--output", line.output, "the file for POV-Ray")->required();
 }
@@ -224,14 +272,14 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error) {
     if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
         const std::vector<std::string> words = app.remaining(true);
         if (!words.empty()) {
-            fmt::print(stderr, "{}\n", unknown_word(app, words.front()));
+            say(unknown_word(app, words.front()));
             return 2;
         }
     }
     const CLI::App& sub = chosen(app);
     const std::string help = &sub == &app ? "" : sub.get_name() + " ";
     message = message.substr(0, message.find('\n'));
-    fmt::print(stderr, "{} (./course {}--help shows how)\n", message, help);
+    say("{} (./course {}--help shows how)", message, help);
     return 2;
 }
 
@@ -250,7 +298,10 @@ std::string not_started(const NotImplemented& error) {
 
 }  // namespace
 
-int run_course(int argc, char** argv) {
+namespace {
+
+/// `write_error` becomes the reason why something could not be written to standard output, if that ended it.
+int run_line(int argc, char** argv, int& write_error) {
     try {
         Line line;
         line.app.require_subcommand(0, 1);
@@ -262,6 +313,7 @@ int run_course(int argc, char** argv) {
         add_learning(line);
         add_pictures(line);
         add_project(line);
+        refuse_empty_values(line.app);
         line.render.arguments.assign(argv + 1, argv + argc);
         try {
             line.app.parse(argc, argv);
@@ -275,15 +327,34 @@ int run_course(int argc, char** argv) {
             line.tour.json = line.references.json = line.report.json = line.json;
         return line.action();
     } catch (const NotImplemented& error) {
-        fmt::print(stderr, "{}\n", not_started(error));
+        say(not_started(error));
         return 1;
     } catch (const InputError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        say(error.what());
+        return 2;
+    } catch (const std::filesystem::filesystem_error& error) {
+        say("{}: {}", error.path1().string(), error.code().message());
+        return 2;
+    } catch (const std::bad_alloc&) {
+        say("there is not enough memory for this");
         return 2;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "something went wrong that should not: {}\n", error.what());
+        const auto* system = dynamic_cast<const std::system_error*>(&error);
+        if (system && std::ferror(stdout))
+            write_error = system->code().value();
+        else
+            say_lines(std::string("something went wrong that should not: ") + error.what());
         return 1;
     }
+}
+
+}  // namespace
+
+int run_course(int argc, char** argv) {
+    open_missing_streams();
+    int write_error = 0;
+    const int status = run_line(argc, argv, write_error);
+    return ended(status, write_error);
 }
 
 }  // namespace rt

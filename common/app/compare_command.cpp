@@ -1,8 +1,10 @@
 // `course compare`: how far a picture is from a reference, in numbers and as a page.
 #include "common/app/commands.hpp"
+#include "common/app/json_text.hpp"
 #include "common/app/page.hpp"
 #include "common/image/compare.hpp"
 #include "common/image/file.hpp"
+#include "common/math/input_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -53,13 +55,43 @@ void print(const Comparison& comparison, int within, bool same) {
                comparison.psnr);
 }
 
+/// The one name of a file that need not be there yet.
+std::filesystem::path full(const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+}
+
+/// What will be written can be, and is neither what is read nor one file for two things.
+void require_places(const CompareCommand& command) {
+    const std::vector<std::filesystem::path> inputs{command.image, command.reference};
+    for (const std::filesystem::path& output : {command.diff, command.page}) {
+        if (output.empty()) continue;
+        require_no_input(output, inputs);
+        require_writable(output);
+    }
+    if (command.diff.empty()) return;
+    require_picture_ending(command.diff);
+    if (!command.page.empty() && full(command.diff) == full(command.page))
+        throw InputError(command.page.string() + ": --diff and --page cannot be one file");
+}
+
+void require_same_size(const CompareCommand& command, const Image& image, const Image& reference) {
+    if (image.width == reference.width && image.height == reference.height) return;
+    throw InputError(
+        fmt::format("{} has {} x {} pixels and {} has {} x {}; only images of one size can be compared",
+                    command.image.string(), image.width, image.height, command.reference.string(),
+                    reference.width, reference.height));
+}
+
 }  // namespace
 
 int run_compare(const CompareCommand& command) {
+    require_places(command);
     const Encoding encoding = command.encoding == "linear" ? Encoding::Linear : Encoding::Srgb;
-    const Image image = read_image(command.image, encoding);
-    const Image reference = read_image(command.reference, encoding);
-    const Comparison comparison = compare(image, reference);
+    const auto [image, image_has_8_bits] = read_picture(command.image, encoding);
+    const auto [reference, reference_has_8_bits] = read_picture(command.reference, encoding);
+    require_same_size(command, image, reference);
+    const bool eight_bits = image_has_8_bits || reference_has_8_bits;
+    const Comparison comparison = compare(image, reference, eight_bits ? Display{encoding, true} : Display{});
     const bool same = comparison.within[static_cast<std::size_t>(command.within)] == 1;
 
     if (!command.diff.empty())
@@ -68,7 +100,7 @@ int run_compare(const CompareCommand& command) {
         write_file(command.page, comparison_page(image, reference, comparison, command.image.string(),
                                                  command.reference.string()));
     if (command.json)
-        fmt::print("{}\n", to_json(comparison, command.within, same).dump());
+        fmt::print("{}\n", json_text(to_json(comparison, command.within, same)));
     else
         print(comparison, command.within, same);
     return same ? 0 : 1;

@@ -1,14 +1,19 @@
 // What a person sees in the terminal: colour where it is wanted, and how far long work has come.
 #include "common/app/console.hpp"
 
+#include "common/math/printable.hpp"
+
 #include <fmt/format.h>
 
+#include <fcntl.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <system_error>
 
 namespace rt {
 
@@ -34,6 +39,34 @@ std::string paint(std::string_view text, Tone tone, std::FILE* stream) {
     if (tone == Tone::Plain || !has_color(stream)) return std::string(text);
     constexpr std::string_view codes[] = {"0", "1", "2", "32", "31", "36"};
     return fmt::format("\033[{}m{}\033[0m", codes[static_cast<std::size_t>(tone)], text);
+}
+
+void say(std::string_view text) {
+    const std::string line = printable(text) + "\n";
+    std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+void say_lines(std::string_view text) {
+    const std::string lines = printable(text, Keep::Lines) + "\n";
+    std::fwrite(lines.data(), 1, lines.size(), stderr);
+}
+
+void open_missing_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
+            // It takes the lowest free number, which is this one; what fails on it fails with EBADF, as if
+            // closed.
+            if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+}
+
+int ended(int status, int write_error) {
+    if (std::fflush(stdout) != 0 && write_error == 0) write_error = errno;
+    if (std::ferror(stdout)) {
+        const std::string why = write_error == 0 ? "" : ": " + std::generic_category().message(write_error);
+        say("standard output: cannot be written{}", why);
+        return 2;
+    }
+    return std::ferror(stderr) ? 2 : status;
 }
 
 TerminalSize terminal_size(std::FILE* stream) {
@@ -66,8 +99,9 @@ void Progress::update(double fraction, std::string_view what) {
     if (so_far < seconds_before_progress || seconds_between(last, now) < seconds_between_updates) return;
     last = now;
     drawn = true;
-    fmt::print(stderr, "\r{}\033[K", progress_line(label, fraction, so_far, terminal_size(stderr).columns));
-    std::fflush(stderr);
+    const std::string line = fmt::format(
+        "\r{}\033[K", progress_line(printable(label), fraction, so_far, terminal_size(stderr).columns));
+    std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
 std::string progress_line(std::string_view label, double fraction, double seconds_so_far, int columns) {

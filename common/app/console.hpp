@@ -1,6 +1,8 @@
 // What a person sees in the terminal: colour where it is wanted, and how far long work has come.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cstdio>
 #include <mutex>
@@ -16,6 +18,25 @@ bool has_color(std::FILE* stream);
 
 /// The text in a colour, if the stream has any.
 std::string paint(std::string_view text, Tone tone, std::FILE* stream = stdout);
+
+/// One line on standard error, with whatever does not fit into a line of a terminal escaped. Never throws:
+/// whether it was written, `ended` tells.
+void say(std::string_view text);
+template <class... Args>
+requires(sizeof...(Args) > 0) void say(fmt::format_string<Args...> format, Args&&... args) {
+    say(std::string_view(fmt::format(format, std::forward<Args>(args)...)));
+}
+
+/// Another program's words, or some lines, in the same way.
+void say_lines(std::string_view text);
+
+/// Standard streams that the program was started without are opened so that what is said there fails as it
+/// should, and no picture gets their number. To be called before anything is opened.
+void open_missing_streams();
+
+/// The program's exit status at its end: `status`, or 2 if something that was said could not be written; then
+/// a line says so, with the reason if it is known already.
+int ended(int status, int write_error = 0);
 
 /// Columns and rows of the terminal that the stream is; 80 × 24 if it is none.
 struct TerminalSize {

@@ -3,6 +3,7 @@
 #include "common/app/console.hpp"
 #include "common/app/exercise.hpp"
 #include "common/app/functions.hpp"
+#include "common/app/json_text.hpp"
 #include "common/app/results.hpp"
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
@@ -83,7 +84,7 @@ std::string with_step_reset(const std::string& mine, const std::string& pristine
                             step.id, chapter.name, step.file, original.signature, chapter.number));
         const std::string function = pristine.substr(original.begin, original.end - original.begin);
         for (const std::string& other : other_steps(function, chapter, step.id))
-            fmt::print(stderr, "the same function holds step {}, which starts again, too\n", other);
+            say("the same function holds step {}, which starts again, too", other);
         text.replace(found->begin, found->end - found->begin, function);
     }
     return text;
@@ -129,14 +130,14 @@ int run_hint(const std::string& name, bool all, bool json) {
     const std::size_t after = all ? step.hints.size() : std::min(before + 1, step.hints.size());
     const std::size_t first = all ? 0 : before;
     shown[step.id] = std::max(before, after);
-    write_file(hints_file(project), shown.dump() + "\n");
+    write_file(hints_file(project), json_text(shown) + "\n");
 
     if (json) {
         const std::vector<std::string> hints(step.hints.begin() + static_cast<std::ptrdiff_t>(first),
                                              step.hints.begin() + static_cast<std::ptrdiff_t>(after));
         const nlohmann::ordered_json object = {
             {"step", step.id}, {"hints", hints}, {"shown", after}, {"of", step.hints.size()}};
-        fmt::print("{}\n", object.dump());
+        fmt::print("{}\n", json_text(object));
         return 0;
     }
     for (std::size_t i = first; i < after; ++i)
@@ -172,7 +173,7 @@ int run_reset(const std::string& name, bool json) {
     if (json) {
         auto list = nlohmann::ordered_json::array();
         for (const Reset& reset : resets) list.push_back({{"file", reset.file}, {"backup", reset.backup}});
-        fmt::print("{}\n", nlohmann::ordered_json{{"reset", list}}.dump());
+        fmt::print("{}\n", json_text(nlohmann::ordered_json{{"reset", list}}));
         return 0;
     }
     if (resets.empty()) fmt::print("Nothing to reset: it is as it was at the start.\n");
@@ -195,10 +196,8 @@ int run_solution(const std::string& name, bool spoil, bool json) {
         return result.id == step.id && result.state == State::Passed;
     });
     if (!passed && !spoil) {
-        fmt::print(
-            stderr,
-            "step {} has not passed yet, and finding it yourself is the fun of it. ./course hint {} helps "
-            "on; ./course solution {} --spoil shows it all the same.\n",
+        say("step {} has not passed yet, and finding it yourself is the fun of it. ./course hint {} helps "
+            "on; ./course solution {} --spoil shows it all the same.",
             step.id, step.id, step.id);
         return 1;
     }
@@ -218,7 +217,7 @@ int run_solution(const std::string& name, bool spoil, bool json) {
     if (json) {
         const nlohmann::ordered_json object = {
             {"step", step.id}, {"yours", to_json(yours)}, {"solution", to_json(theirs)}};
-        fmt::print("{}\n", object.dump());
+        fmt::print("{}\n", json_text(object));
         return 0;
     }
     print_code("Yours", yours);

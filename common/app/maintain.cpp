@@ -3,6 +3,7 @@
 #include "common/app/commands.hpp"
 #include "common/app/console.hpp"
 #include "common/app/drift.hpp"
+#include "common/app/json_text.hpp"
 #include "common/app/process.hpp"
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
@@ -33,11 +34,11 @@ bool is_measured(const std::string& name) { return name.starts_with("measured_")
 int report(const std::vector<std::string>& changed, bool make, bool json, const char* repair) {
     if (json) {
         const nlohmann::ordered_json object = {{"changed", changed}, {"written", make}};
-        fmt::print("{}\n", object.dump());
+        fmt::print("{}\n", json_text(object));
     } else {
         for (const std::string& file : changed) fmt::print("{} {}\n", make ? "wrote" : "differs:", file);
         if (changed.empty()) fmt::print("nothing has changed\n");
-        if (!changed.empty() && !make) fmt::print(stderr, "{} writes what differs\n", repair);
+        if (!changed.empty() && !make) say("{} writes what differs", repair);
     }
     return changed.empty() || make ? 0 : 1;
 }
@@ -115,7 +116,7 @@ int run_figures(const std::string& number, bool make, bool json) {
 
         const fs::path drawn = project.build / "figures" / chapter.name;
         fs::remove_all(drawn);
-        fs::create_directories(drawn);
+        make_directories(drawn);
         const ProcessResult result = run_process({program(project, target).string(), drawn.string()});
         if (!succeeded(result)) throw std::runtime_error(target + " failed: " + result.output);
 
@@ -126,7 +127,7 @@ int run_figures(const std::string& number, bool make, bool json) {
                 fs::exists(kept / name) && (is_measured(name) || read_file(kept / name) == figure);
             if (equal && !(make && is_measured(name))) continue;
             if (make) {
-                fs::create_directories(kept);
+                make_directories(kept);
                 write_file(kept / name, figure);
             }
             changed.push_back(relative(project, kept / name));

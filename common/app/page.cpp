@@ -3,6 +3,7 @@
 
 #include "common/app/project.hpp"
 #include "common/image/file.hpp"
+#include "common/math/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -106,7 +107,7 @@ std::string percent(Real fraction) {
 
 std::string html(std::string_view text) {
     std::string escaped;
-    for (const char c : text) {
+    for (const char c : printable(text, Keep::Lines)) {
         switch (c) {
             case '&':
                 escaped += "&amp;";

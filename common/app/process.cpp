@@ -7,11 +7,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 namespace rt {
 
@@ -34,14 +38,52 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void execute(const std::vector<std::string>& command,
-             const std::vector<std::pair<std::string, std::string>>& environment) {
-    for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
-    std::vector<char*> arguments;
-    for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
-    arguments.push_back(nullptr);
-    execvp(arguments[0], arguments.data());
+/// The program's file, found as a shell would find it.
+std::string found_program(const std::string& name) {
+    if (name.find('/') != std::string::npos) return name;
+    const char* path = std::getenv("PATH");
+    std::string_view rest = path ? path : "/usr/local/bin:/usr/bin:/bin";
+    for (bool more = true; more;) {
+        const std::size_t end = rest.find(':');
+        const std::string directory(end == 0 || rest.empty() ? std::string_view(".") : rest.substr(0, end));
+        const std::string file = directory + "/" + name;
+        std::error_code ignored;
+        if (access(file.c_str(), X_OK) == 0 && !std::filesystem::is_directory(file, ignored)) return file;
+        more = end != std::string_view::npos;
+        if (more) rest.remove_prefix(end + 1);
+    }
+    return "";  // no program has this name, and starting it fails
 }
+
+/// What `execve` takes, made before a fork: between fork and exec nothing may be allocated, because another
+/// thread may have held the allocator's lock when the process was copied.
+struct Execution {
+    std::string program;
+    std::vector<std::string> texts;
+    std::vector<char*> arguments, environment;
+
+    Execution(const std::vector<std::string>& command,
+              const std::vector<std::pair<std::string, std::string>>& added)
+        : program(found_program(command.front())), texts(command) {
+        const std::size_t count = texts.size();
+        for (char** variable = environ; *variable; ++variable) {
+            const std::string_view text = *variable;
+            const std::string_view name = text.substr(0, text.find('='));
+            const bool replaced =
+                std::any_of(added.begin(), added.end(), [&](const auto& pair) { return pair.first == name; });
+            if (!replaced) texts.emplace_back(text);
+        }
+        for (const auto& [name, value] : added) texts.push_back(name + "=" + value);
+        for (std::size_t i = 0; i < texts.size(); ++i)
+            (i < count ? arguments : environment).push_back(texts[i].data());
+        arguments.push_back(nullptr);
+        environment.push_back(nullptr);
+    }
+    Execution(const Execution&) = delete;
+    Execution& operator=(const Execution&) = delete;
+
+    void start() const { execve(program.c_str(), arguments.data(), environment.data()); }
+};
 
 void limit(int resource, rlim_t value) {
     // Core dumps and limits are conveniences: without them the child still runs.
@@ -77,8 +119,10 @@ struct Lines {
 }  // namespace
 
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
+    const Execution execution(command, options.environment);
     int pipe_ends[2];
     if (pipe(pipe_ends) != 0) throw std::runtime_error("no pipe to another program could be opened");
+    for (const int end : pipe_ends) fcntl(end, F_SETFD, FD_CLOEXEC);
     const auto start = Clock::now();
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("no other program could be started");
@@ -90,7 +134,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
         close(pipe_ends[0]);
         close(pipe_ends[1]);
         if (options.time_limit > 0) limit_resources(options.time_limit);
-        execute(command, options.environment);
+        execution.start();
         _exit(127);
     }
     close(pipe_ends[1]);
@@ -131,7 +175,9 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
 
 void replace_process(const std::vector<std::string>& command,
                      const std::vector<std::pair<std::string, std::string>>& environment) {
-    execute(command, environment);
+    const Execution execution(command, environment);
+    std::fflush(stdout);
+    execution.start();
 }
 
 std::string signal_name(int signal) {

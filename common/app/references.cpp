@@ -3,6 +3,7 @@
 
 #include "chapters/08_antialiasing/film.hpp"
 #include "common/app/console.hpp"
+#include "common/app/json_text.hpp"
 #include "common/app/process.hpp"
 #include "common/image/compare.hpp"
 #include "common/image/file.hpp"
@@ -329,7 +330,7 @@ int run_references(const ReferencesOptions& options, const Project& project) {
                             fmt::format("{}/{}", scene.chapter, scene.name));
             if (!scene.why_none.empty()) continue;
             const fs::path directory = project.build / "references" / scene.chapter;
-            fs::create_directories(directory);
+            make_directories(directory);
             try {
                 if (startup < 0) startup = povray_startup(directory);
                 check_scene(finding, directory, startup, options.make);
@@ -357,7 +358,7 @@ int run_references(const ReferencesOptions& options, const Project& project) {
         report["changed"] = changed;
         report["problems"] = problems;
         report["written"] = options.make && changed > 0;
-        fmt::print("{}\n", report.dump(2));
+        fmt::print("{}\n", json_text(report, 2));
     } else if (!options.quiet) {
         fmt::print("{}\n", paint(fmt::format("{:<41} {:>8} {:>8}  the picture by POV-Ray is",
                                              "seconds for the same "
@@ -385,7 +386,10 @@ int run_references(const ReferencesOptions& options, const Project& project) {
 }
 
 int run_export(const fs::path& scene, const fs::path& output) {
-    write_file(output, export_povray(parse_scene(scene)));
+    const Scene parsed = parse_scene(scene);
+    require_no_input(output, files_of(scene, parsed));
+    require_writable(output);
+    write_file(output, export_povray(parsed));
     return 0;
 }
 

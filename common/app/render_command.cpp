@@ -2,10 +2,12 @@
 #include "common/app/check.hpp"
 #include "common/app/commands.hpp"
 #include "common/app/console.hpp"
+#include "common/app/json_text.hpp"
 #include "common/app/process.hpp"
 #include "common/image/file.hpp"
 #include "common/image/terminal.hpp"
 #include "common/math/input_error.hpp"
+#include "common/math/printable.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/explain.hpp"
 #include "common/render/render.hpp"
@@ -55,20 +57,19 @@ std::pair<int, int> size_from(const std::string& text) {
         first.ec == std::errc() && first.ptr != end && (*first.ptr == 'x' || *first.ptr == 'X');
     const auto second = cross ? std::from_chars(first.ptr + 1, end, height) : first;
     const bool whole = cross && second.ec == std::errc() && second.ptr == end;
-    if (!whole || width < 1 || height < 1 || width > largest_side || height > largest_side ||
-        static_cast<long long>(width) * height > most_pixels)
+    if (!whole || width < 1 || height < 1 || width > largest_side || height > largest_side)
         throw InputError(
             fmt::format("--size: '{}' is not a size; expected width and height from 1 to {}, such as "
                         "640x480",
                         text, largest_side));
+    if (const long long pixels = static_cast<long long>(width) * height; pixels > most_pixels)
+        throw InputError(
+            fmt::format("--size: '{}' is {} pixels; at most {} are possible", text, pixels, most_pixels));
     return {width, height};
 }
 
-Scene read_scene(const fs::path& file, bool lenient) {
-    std::vector<std::string> warnings;
-    const Scene scene = parse_scene(file, {.lenient = lenient, .warnings = &warnings});
-    for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
-    return scene;
+Scene read_scene(const fs::path& file, bool lenient, std::vector<std::string>& warnings) {
+    return parse_scene(file, {.lenient = lenient, .warnings = &warnings});
 }
 
 /// Where the picture goes; throws before any work if it is of no kind that can be written.
@@ -123,8 +124,11 @@ std::string sampling_of(const RenderResult& result) {
 }  // namespace
 
 int run_render(const RenderCommand& command) {
-    Scene scene = read_scene(command.scene, command.lenient);
+    std::vector<std::string> warnings;
+    Scene scene = read_scene(command.scene, command.lenient, warnings);
     const fs::path output = output_of(command, scene);
+    require_no_input(output, files_of(command.scene, scene));
+    require_writable(output);
     if (!command.size.empty()) std::tie(scene.width, scene.height) = size_from(command.size);
     if (!command.integrator.empty()) scene.integrator = integrator_named(command.integrator);
     if (command.samples) scene.sampling.count = *command.samples;
@@ -134,6 +138,7 @@ int run_render(const RenderCommand& command) {
 
     const char* linked = std::getenv(mine_variable);
     if (!linked && !command.solutions) become_mine(command);
+    for (const std::string& warning : warnings) say(warning);  // not before: what it becomes says them, too
 
     const World world = compile(scene);
     Progress progress(output.filename().string(), !command.quiet);
@@ -147,7 +152,7 @@ int run_render(const RenderCommand& command) {
     write_image(output, result.image, scene.encoding);
     // A whole pass may take longer than the time that was given, and the person should know why.
     if (command.seconds && result.seconds > 1.1 * *command.seconds)
-        fmt::print(stderr, "one sample a pixel takes longer than {}\n", duration(*command.seconds));
+        say("one sample a pixel takes longer than {}", duration(*command.seconds));
 
     if (command.json) {
         const RayCounts& rays = result.rays;
@@ -166,7 +171,7 @@ int run_render(const RenderCommand& command) {
               {"refraction", rays.refraction}}},
             {"random_numbers", rays.random_numbers},
             {"left_out", to_json(explain(scene, world).left_out)}};
-        fmt::print("{}\n", object.dump());
+        fmt::print("{}\n", json_text(object));
         return 0;
     }
     if (command.preview) {
@@ -175,16 +180,17 @@ int run_render(const RenderCommand& command) {
         std::fflush(stdout);
     }
     if (!command.quiet)
-        fmt::print(stderr, "{}  {} × {}, {}{}, {}; {}\n", output.string(), scene.width, scene.height,
-                   sampling_of(result), counted(static_cast<long long>(all_rays(result.rays)), "ray"),
-                   duration(result.seconds),
-                   linked ? fmt::format("your code for {}, solutions for the rest", linked)
-                          : std::string("solutions for all chapters"));
+        say("{}  {} × {}, {}{}, {}; {}", output.string(), scene.width, scene.height, sampling_of(result),
+            counted(static_cast<long long>(all_rays(result.rays)), "ray"), duration(result.seconds),
+            linked ? fmt::format("your code for {}, solutions for the rest", linked)
+                   : std::string("solutions for all chapters"));
     return 0;
 }
 
 int run_explain(const ExplainCommand& command) {
-    const Scene scene = read_scene(command.scene, command.lenient);
+    std::vector<std::string> warnings;
+    const Scene scene = read_scene(command.scene, command.lenient, warnings);
+    for (const std::string& warning : warnings) say(warning);
     const Explanation explanation = explain(scene, compile(scene));
     if (command.json) {
         const ordered_json object = {{"scene", command.scene.string()},
@@ -192,13 +198,14 @@ int run_explain(const ExplainCommand& command) {
                                      {"left_out", to_json(explanation.left_out)},
                                      {"chapters", explanation.chapters},
                                      {"bytes", explanation.bytes}};
-        fmt::print("{}\n", object.dump());
+        fmt::print("{}\n", json_text(object));
         return 0;
     }
     const auto print = [](std::string_view title, const std::vector<Reason>& reasons) {
         if (reasons.empty()) return;
         fmt::print("{}\n", paint(title, Tone::Bold));
-        for (const Reason& reason : reasons) fmt::print("  {}: {}\n", reason.what, reason.why);
+        for (const Reason& reason : reasons)
+            fmt::print("  {}: {}\n", printable(reason.what), printable(reason.why));
         fmt::print("\n");
     };
     print("Kept", explanation.kept);

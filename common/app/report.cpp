@@ -3,10 +3,12 @@
 
 #include "common/app/check.hpp"
 #include "common/app/console.hpp"
+#include "common/app/json_text.hpp"
 #include "common/app/process.hpp"
 #include "common/app/report_parts.hpp"
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/math/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -121,14 +123,11 @@ std::string command_line(const ReportCommand& command) {
 int run_report(const ReportCommand& command) {
     const Wanted wanted(command.what);
     const Project project = this_project();
+    const fs::path directory = command.output.empty() ? project.build / "report" : command.output;
+    make_directories(directory);
     require(available("gnuplot"), "gnuplot", "to draw the plots", "gnuplot-nox");
     require(!wanted.leave_out || available("valgrind"), "valgrind", "to count instructions",
             "valgrind libc6-dbg");
-    const fs::path directory = command.output.empty() ? project.build / "report" : command.output;
-    std::error_code error;
-    fs::create_directories(directory, error);
-    if (!fs::is_directory(directory))
-        throw InputError(fmt::format("{}: cannot be made a directory", directory.string()));
 
     build(project, wanted);
     ReportData data{{"command", command_line(command)}, {"quick", command.quick}, {"machine", machine()}};
@@ -149,17 +148,17 @@ int run_report(const ReportCommand& command) {
     }
     const fs::path page = directory / "index.html";
     write_file(page, report_page(data, plots, command_line(command)));
-    write_file(directory / "measured.json", data.dump(1) + "\n");
+    write_file(directory / "measured.json", json_text(data, 1) + "\n");
 
     if (command.json) {
         data["output"] = page.string();
         if (data.contains("kernels"))
             data["kernels"].erase("maps");  // thousands of numbers; they are in the CSV
-        fmt::print("{}\n", data.dump());
+        fmt::print("{}\n", json_text(data));
     } else {
         for (const std::string& problem : problems) fmt::print("{} {}\n", paint("✗", Tone::Bad), problem);
         if (problems.empty()) fmt::print("{} every demand is met\n", paint("✓", Tone::Good));
-        fmt::print("{}\n", relative(project, page));
+        fmt::print("{}\n", printable(relative(project, page)));
     }
     return problems.empty() ? 0 : 1;
 }

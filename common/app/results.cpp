@@ -2,7 +2,9 @@
 #include "common/app/results.hpp"
 
 #include "common/app/exercise.hpp"
+#include "common/app/json_text.hpp"
 #include "common/image/file.hpp"
+#include "common/math/printable.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -83,7 +85,7 @@ TestReport read_report(std::string_view text) {
         } else if (event.contains("ended")) {
             run.name = event.value("ended", "");
             run.state = state_named(event.value("state", ""));
-            run.message = event.value("message", "");
+            run.message = printable(event.value("message", ""), Keep::Lines);
             run.missing = event.value("missing", "");
             report.ended.push_back(run);
             report.died_in.reset();
@@ -143,7 +145,7 @@ void remember(const Project& project, const Chapter& chapter, const ChapterResul
     memory[chapter.name] = {{"sources", sources_fingerprint(project, chapter)},
                             {"build_error", result.build_error},
                             {"steps", steps}};
-    write_file(memory_file(project), memory.dump(1) + "\n");
+    write_file(memory_file(project), json_text(memory, 1) + "\n");
 }
 
 std::optional<std::string> pristine_text(const Project& project, const Chapter& chapter,

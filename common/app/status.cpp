@@ -1,6 +1,7 @@
 // `course` and `course list`: the chapters, the steps, and the one next action.
 #include "common/app/commands.hpp"
 #include "common/app/console.hpp"
+#include "common/app/json_text.hpp"
 #include "common/app/verdict.hpp"
 
 #include <fmt/format.h>
@@ -43,14 +44,14 @@ int run_status(bool json) {
     const Project project = this_project();
     const Known known = everything_known(project);
     if (known.chapters.empty()) {
-        fmt::print(stderr, "there are no chapters yet\n");
+        say("there are no chapters yet");
         return 0;
     }
     const std::string next = next_action(project, known.chapters, known.results);
     if (json) {
         auto object = to_json(known);
         object["next"] = next;
-        fmt::print("{}\n", object.dump());
+        fmt::print("{}\n", json_text(object));
         return 0;
     }
     int passed = 0, total = 0;
@@ -74,7 +75,7 @@ int run_list(bool json) {
     const Project project = this_project();
     const Known known = everything_known(project);
     if (json) {
-        fmt::print("{}\n", to_json(known).dump());
+        fmt::print("{}\n", json_text(to_json(known)));
         return 0;
     }
     for (std::size_t i = 0; i < known.chapters.size(); ++i) {

@@ -4,9 +4,11 @@
 #include "common/app/console.hpp"
 #include "common/app/drift.hpp"
 #include "common/app/exercise.hpp"
+#include "common/app/json_text.hpp"
 #include "common/app/mistake.hpp"
 #include "common/app/process.hpp"
 #include "common/math/input_error.hpp"
+#include "common/math/printable.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -51,7 +53,7 @@ Part timed(const std::string& name, bool quiet, Fill fill) {
     part.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!quiet) {
         for (const std::string& problem : part.problems) {
-            const std::vector<std::string> lines = split_lines(problem);
+            const std::vector<std::string> lines = split_lines(printable(problem, Keep::Lines));
             for (std::size_t i = 0; i < lines.size(); ++i)
                 fmt::print("  {} {}\n", i == 0 ? paint("✗", Tone::Bad) : "   ", lines[i]);
         }
@@ -220,7 +222,7 @@ int run_test(bool quick, bool json) {
         failed += part.failed;
     }
     if (json)
-        fmt::print("{}\n", to_json(parts, passed, failed).dump());
+        fmt::print("{}\n", json_text(to_json(parts, passed, failed)));
     else
         fmt::print("\n{} passed, {} failed\n", passed, failed);
     return failed > 0 ? 1 : 0;

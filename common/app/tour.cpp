@@ -3,11 +3,13 @@
 
 #include "common/app/catalogue.hpp"
 #include "common/app/console.hpp"
+#include "common/app/json_text.hpp"
 #include "common/app/page.hpp"
 #include "common/app/references.hpp"
 #include "common/image/compare.hpp"
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/math/printable.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/decisions.hpp"
 #include "common/render/export_povray.hpp"
@@ -113,6 +115,19 @@ void visit(Stop& stop, const fs::path& directory, const std::function<void(Real)
                 Encoding::Srgb);
 }
 
+/// The tour's directories can be made, and none of its pictures is one that it is to be compared with.
+void require_places(const std::vector<Part>& parts, const fs::path& output) {
+    make_directories(output);
+    for (const Part& part : parts) {
+        const fs::path directory = output / part.name;
+        make_directories(directory);
+        for (const Stop& stop : part.stops)
+            for (const std::string& name : {picture_of(stop), reference_of(stop), difference_of(stop)})
+                require_no_input(directory / name, {stop.scene.scene, stop.scene.picture});
+    }
+    require_writable(output / "index.html");
+}
+
 std::vector<Part> parts_of(const Project& project) {
     std::vector<Part> parts;
     for (const Chapter& chapter : read_catalogue(project)) {
@@ -197,7 +212,7 @@ void print_table(const std::vector<Part>& parts) {
                            {size_text(stop), time_text(stop), rate_text(stop), greatest_text(stop),
                             over_text(stop), unexplained_text(stop), error_text(stop)}),
                        paint(stop.word(), stop.passed() ? Tone::Good : Tone::Bad));
-            if (!stop.problem.empty()) fmt::print("    {}\n", stop.problem);
+            if (!stop.problem.empty()) fmt::print("    {}\n", printable(stop.problem));
         }
     fmt::print("{}\n",
                paint("greatest: difference in steps of 1/65535; over 2: pixels that differ by more than 2; "
@@ -382,10 +397,10 @@ int run_tour(const TourOptions& options, const Project& project) {
     std::size_t count = 0, done = 0, compared = 0, failed = 0;
     for (const Part& part : parts) count += part.stops.size();
     if (count == 0) throw InputError("there are no scenes in references/");
+    require_places(parts, output);
     {
         Progress progress("tour", !options.json && !options.quiet);
         for (Part& part : parts) {
-            fs::create_directories(output / part.name);
             for (Stop& stop : part.stops) {
                 const std::string label = part.name + "/" + stop.scene.name;
                 const auto tell = [&](Real fraction) {
@@ -413,13 +428,13 @@ int run_tour(const TourOptions& options, const Project& project) {
         json["compared"] = compared;
         json["failed"] = failed;
         json["page"] = page.string();
-        fmt::print("{}\n", json.dump(2));
+        fmt::print("{}\n", json_text(json, 2));
     } else if (!options.quiet) {
         print_table(parts);
         fmt::print(
             "{} compared, {}; the page is {}\n", counted(static_cast<long long>(compared), "picture"),
             failed == 0 ? paint("all equal", Tone::Good) : paint(fmt::format("{} failed", failed), Tone::Bad),
-            relative(project, page));
+            printable(relative(project, page)));
     }
     return failed == 0 ? 0 : 1;
 }

@@ -4,6 +4,7 @@
 #include "common/app/check.hpp"
 #include "common/app/commands.hpp"
 #include "common/app/console.hpp"
+#include "common/app/json_text.hpp"
 #include "common/app/process.hpp"
 #include "common/app/trace.hpp"
 #include "common/math/input_error.hpp"
@@ -250,7 +251,7 @@ int run_against(const TraceCommand& command) {
                                     {"mine", difference->mine},
                                     {"solution", difference->theirs},
                                     {"step", difference->step}};
-        fmt::print("{}\n", object.dump());
+        fmt::print("{}\n", json_text(object));
         return difference ? 1 : 0;
     }
     const std::size_t count = difference ? difference->ray + 1 : theirs["rays"].size();
@@ -281,7 +282,7 @@ int run_trace(const TraceCommand& command) {
     }
     const ordered_json tree = trace_json(command);
     if (command.json)
-        fmt::print("{}\n", tree.dump());
+        fmt::print("{}\n", json_text(tree));
     else
         print_tree(tree);
     return 0;

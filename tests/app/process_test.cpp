@@ -52,4 +52,8 @@ TEST_CASE("variables reach the child, and only the child") {
     options.environment = {{"COURSE_TEST_VARIABLE", "a b"}};
     CHECK(run_process({"sh", "-c", "printf '%s' \"$COURSE_TEST_VARIABLE\""}, options).output == "a b");
     CHECK(run_process({"sh", "-c", "printf '%s' \"$COURSE_TEST_VARIABLE\""}).output.empty());
+    // In place of one that is there, not beside it; what has a longer name is another.
+    options.environment = {{"PATH", "/bin:/usr/bin:/x"}, {"PAT", "short"}};
+    CHECK(run_process({"sh", "-c", "env | grep '^PAT' | sort"}, options).output ==
+          "PAT=short\nPATH=/bin:/usr/bin:/x\n");
 }

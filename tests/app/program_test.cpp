@@ -2,10 +2,13 @@
 #include "common/app/process.hpp"
 #include "common/app/project.hpp"
 #include "common/image/file.hpp"
+#include "common/math/printable.hpp"
 #include "tests/app/sandbox.hpp"
 #include "tests/catch.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <sys/stat.h>
 
 #include <algorithm>
 
@@ -127,6 +130,202 @@ TEST_CASE("wrong input is status 2 and leaves no picture") {
     check_refused("hint 99.1", course("hint 99").errors.substr(0, course("hint 99").errors.size() - 1));
 }
 
+TEST_CASE("numbers in options are decimal and finite, and no value is empty") {
+    write_scene("options.scene", "integrator flat\nambient 1 0 0\nsphere 0 0 0 1\n");
+    const std::string render = "render options.scene --solutions -o options.pfm ";
+    const Outcome octal = course(render + "--spp 010 --size 020x010 --json");
+    INFO(octal.errors);
+    REQUIRE(octal.status == 0);
+    CHECK(json::parse(octal.out)["samples_per_pixel"] == 10);
+    CHECK(json::parse(octal.out)["width"] == 20);
+    CHECK(course(render + "--threads 08").status == 0);  // no octal number at all
+    std::filesystem::remove(in_scratch("options.pfm"));
+    for (const char* wrong : {"--seconds nan",
+                              "--seconds inf",
+                              "--seconds -nan",
+                              "--seconds 1e999",
+                              "--seconds 0x1p3",
+                              "--error nan",
+                              "--error infinity",
+                              "--error ''",
+                              "--spp nan",
+                              "--spp 0x10",
+                              "--spp 1e3",
+                              "--spp ''",
+                              "--spp 0",
+                              "--spp 99999999999999999999",
+                              "--threads 1.5",
+                              "--threads ' 2'",
+                              "--seed nan",
+                              "--seed -1",
+                              "--seed 1e300",
+                              "--seed ''",
+                              "--size ''",
+                              "--size '10 x 10'",
+                              "--size 1e1x10",
+                              "--integrator ''",
+                              "-o ''",
+                              "--size 9000x9000"}) {
+        const Outcome outcome = course(render + wrong);
+        INFO("arguments := " << wrong << "\n" << outcome.errors);
+        CHECK(outcome.status == 2);
+        CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
+        CHECK_FALSE(std::filesystem::exists(in_scratch("options.pfm")));
+    }
+    for (const char* wrong :
+         {"render ''", "export options.scene -o ''", "compare a.png ''", "compare a.png b.png --within nan",
+          "compare a.png b.png --within 010x", "compare a.png b.png --page ''",
+          "compare a.png b.png --diff ''", "trace options.scene nan 0", "trace options.scene 0 ''",
+          "trace options.scene 0 0 --against ''", "hint ''", "tour -o ''", "report ''", "check ''"}) {
+        const Outcome outcome = course(wrong);
+        INFO("arguments := " << wrong << "\n" << outcome.errors);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
+        CHECK(outcome.errors.find("--help shows how") != std::string::npos);
+    }
+}
+
+TEST_CASE("what cannot be written is found before anything is rendered") {
+    // The picture would take hours.
+    write_scene("slow.scene", "size 4096 4096\nspp 60000\nsphere 0 0 0 1\n");
+    test::write(in_scratch("kept.png"), "precious");
+    std::filesystem::permissions(in_scratch("kept.png"), std::filesystem::perms::owner_read);
+    std::filesystem::create_directories(in_scratch("directory.png"));
+    const std::string render = "render slow.scene --solutions -o ";
+    check_refused(render + "kept.png", "kept.png: cannot be written: it is read-only");
+    check_refused(render + "directory.png", "directory.png: cannot be written: Is a directory");
+    check_refused(render + "kept.png/a.png", "kept.png/a.png: cannot be written: Not a directory");
+    check_refused(render + "none/a.png", "none/a.png: cannot be written: there is no directory 'none'");
+    CHECK(read_file(in_scratch("kept.png")) == "precious");
+    check_refused("render slow.scene --solutions --size 8192x8193",
+                  "--size: '8192x8193' is 67117056 pixels; at most 67108864 are possible");
+    check_refused("tour -o kept.png", "kept.png: cannot be made a directory: Not a directory");
+    check_refused("report -o kept.png leave-out", "kept.png: cannot be made a directory: Not a directory");
+}
+
+TEST_CASE("no command writes over what it reads") {
+    write_scene("input.scene", "mesh input.obj\n");
+    test::write(in_scratch("input.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string scene = read_file(in_scratch("input.scene")), mesh = read_file(in_scratch("input.obj"));
+    write_image(in_scratch("input.png"), make_image(2, 2));
+    const std::string picture = read_file(in_scratch("input.png"));
+    const auto link = [](const char* to, const char* name) {
+        std::filesystem::remove(in_scratch(name));
+        std::filesystem::create_hard_link(in_scratch(to), in_scratch(name));
+    };
+    link("input.scene", "scene.png");
+    link("input.obj", "mesh.png");
+    link("input.png", "picture.html");
+
+    check_refused("export input.scene -o input.scene",
+                  "input.scene: cannot be written: it is 'input.scene', which is read here");
+    check_refused("export input.scene -o ./input.obj",
+                  "./input.obj: cannot be written: it is 'input.obj', which is read here");
+    check_refused("render input.scene --solutions -o scene.png",
+                  "scene.png: cannot be written: it is 'input.scene', which is read here");
+    check_refused("render input.scene --solutions -o mesh.png",
+                  "mesh.png: cannot be written: it is 'input.obj', which is read here");
+    check_refused("compare input.png input.png --diff input.png",
+                  "input.png: cannot be written: it is 'input.png', which is read here");
+    check_refused("compare input.png input.png --page picture.html",
+                  "picture.html: cannot be written: it is 'input.png', which is read here");
+    check_refused("compare input.png input.png --page a.png --diff ./a.png",
+                  "a.png: --diff and --page cannot be one file");
+    // A reference by another name; a tour that wrote it after all would only break the link.
+    std::filesystem::create_directories(in_scratch("tour/02_spheres"));
+    std::filesystem::remove(in_scratch("tour/02_spheres/far.png"));
+    const std::string far = (this_project().root / "references" / "02_spheres" / "far.png").string();
+    std::filesystem::create_hard_link(far, in_scratch("tour/02_spheres/far.png"));
+    check_refused("tour -o tour",
+                  "tour/02_spheres/far.png: cannot be written: it is '" + far + "', which is read here");
+    CHECK(read_file(in_scratch("input.scene")) == scene);
+    CHECK(read_file(in_scratch("input.obj")) == mesh);
+    CHECK(read_file(in_scratch("input.png")) == picture);
+    CHECK(course("export input.scene -o input.pov").status == 0);
+}
+
+TEST_CASE("what could not be said is status 2") {
+    write_scene("said.scene", "integrator flat\nsphere 0 0 0 1\n");
+    const std::string render = "render said.scene --solutions -o said.pfm ";
+    for (const std::string arguments :
+         {"list", "list --json", "", "--help", "explain said.scene", "explain said.scene --json",
+          "solution 02.1 --spoil", "trace said.scene 1 1", "compare said.pfm said.pfm"}) {
+        REQUIRE(course(render).status == 0);
+        INFO("arguments := " << arguments);
+        CHECK(course(arguments).status == 0);
+        const Outcome full = course(arguments + " >/dev/full");
+        CHECK(full.status == 2);
+        CHECK(full.errors == "standard output: cannot be written: No space left on device\n");
+        const Outcome closed = course(arguments + " >&-");
+        CHECK(closed.status == 2);
+        CHECK(closed.errors == "standard output: cannot be written: Bad file descriptor\n");
+    }
+    // The helper has a standard error of its own after the arguments, so these have another shell around
+    // them.
+    const auto without_errors = [](const std::string& arguments, const std::string& where) {
+        return run_process({"sh", "-c",
+                            "cd '" + in_scratch("").string() + "' && '" +
+                                (this_project().build / "bin" / "course").string() + "' " + arguments +
+                                where});
+    };
+    for (const std::string where : {" 2>&-", " 2>/dev/full", " >&- 2>&-", " <&- >&- 2>&-"}) {
+        INFO("where := " << where);
+        std::filesystem::remove(in_scratch("said.pfm"));
+        const ProcessResult rendered = without_errors(render, where);
+        CHECK(rendered.signal == 0);
+        CHECK(rendered.exit_code == 2);  // the summary was not said
+        const Image picture = read_image(in_scratch("said.pfm"));
+        CHECK(picture.width == 8);  // and is not in the picture
+        for (const char* wrong : {"rendr", "render none.scene", "render"}) {
+            const ProcessResult refused = without_errors(wrong, where);
+            CHECK(refused.signal == 0);
+            CHECK(refused.exit_code == 2);
+        }
+    }
+    CHECK(without_errors(render + "--quiet", " >&- 2>&-").exit_code == 0);  // nothing was to be said
+}
+
+TEST_CASE("names that are not UTF-8 or would steer the terminal are shown escaped") {
+    const std::string name = "caf\xe9\x1b[2J\n.scene", picture = "\xff.pfm";
+    write_scene(name, "integrator flat\nsphere 0 0 0 1\n");
+    const Outcome rendered = course("render '" + name + "' --solutions -o '" + picture + "'");
+    CHECK(rendered.status == 0);
+    CHECK(rendered.errors.starts_with("\\xff.pfm  8 × 4"));
+    const Outcome as_json = course("render '" + name + "' --solutions --json -o '" + picture + "'");
+    INFO(as_json.errors);
+    REQUIRE(as_json.status == 0);
+    CHECK(json::parse(as_json.out)["output"] == "\\xff.pfm");
+    const Outcome explained = course("explain '" + name + "' --json");
+    REQUIRE(explained.status == 0);
+    CHECK(json::parse(explained.out)["scene"] == "caf\\xe9\x1b[2J\n.scene");
+    check_refused("render '" + name + ".none'",
+                  "caf\\xe9\\x1b[2J\\n.scene.none: there is no such file; did you mean "
+                  "'caf\\xe9\\x1b[2J\\n.scene'?");
+    check_refused("'\xe9'", "there is no command '\\xe9' (./course --help shows what there is)");
+    CHECK(course("render --spp '\xe9\x1b' '" + name + "'").errors.find("'\\xe9\\x1b'") != std::string::npos);
+    CHECK(course("compare '" + picture + "' '" + picture + "' --page '\xfe.html'").status == 0);
+    CHECK(is_utf8(read_file(in_scratch("\xfe.html"))));
+}
+
+TEST_CASE("endless inputs and pipes without a writer are refused") {
+    const std::filesystem::path pipe = in_scratch("pipe.scene");
+    std::filesystem::remove(pipe);
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    check_refused("render pipe.scene", "pipe.scene: cannot be read: nobody writes into this pipe");
+    check_refused("render /dev/zero", "/dev/zero: cannot be read: it is a device, not a file");
+    write_scene("endless.scene", "mesh /dev/zero\n");
+    check_refused("render endless.scene",
+                  "endless.scene:3:6: mesh /dev/zero: cannot be read: it is a device, not a file");
+    write_scene("piped.scene", "integrator flat\nsphere 0 0 0 1\n");
+    CHECK(course("render /dev/stdin --solutions -o piped.pfm <piped.scene").status == 0);
+    CHECK(run_process({"bash", "-c",
+                       "cd '" + in_scratch("").string() + "' && '" +
+                           (this_project().build / "bin" / "course").string() +
+                           "' render <(sleep 0.2; cat piped.scene) --solutions -o piped.pfm"})
+              .exit_code == 0);
+}
+
 TEST_CASE("render writes what the scene says, and JSON in the documented form") {
     write_scene("ball.scene", "integrator flat\nambient 1 0 0\nsphere 0 0 0 1\n");
     const Outcome outcome = course("render ball.scene --solutions --json -o ball.pfm --size 16x8");
@@ -214,8 +413,29 @@ TEST_CASE("compare has a status, JSON in the documented form, and a page") {
     CHECK(json::parse(equal.out)["psnr"].is_null());
     CHECK(json::parse(equal.out)["within"]["3"] == 1);
     CHECK(course("compare dot.pfm black.pfm --within 255").status == 0);
-    CHECK(course("compare small.pfm black.pfm").status == 2);
+    check_refused(
+        "compare small.pfm black.pfm",
+        "small.pfm has 2 x 2 pixels and black.pfm has 4 x 3; only images of one size can be compared");
     CHECK(course("compare none.pfm black.pfm").status == 2);
+}
+
+TEST_CASE("compare judges pictures of 8 bits by their 8 bits") {
+    Image image = make_image(2, 1);
+    write_image(in_scratch("black.png"), image, Encoding::Linear);
+    pixel(image, 1, 0) = Vec3(1 / Real(255));  // the darkest step of a linear file: 13 of 255 in sRGB's curve
+    write_image(in_scratch("step.png"), image, Encoding::Linear);
+    write_image(in_scratch("step.pfm"), image);
+    for (const char* pictures : {"step.png black.png", "step.pfm black.png", "black.png step.pfm"}) {
+        INFO("pictures := " << pictures);
+        const Outcome outcome = course(std::string("compare --encoding linear --json ") + pictures);
+        CHECK(outcome.status == 0);
+        CHECK(json::parse(outcome.out)["within"]["1"] == 1);
+        CHECK(json::parse(outcome.out)["max"] == Approx(1 / Real(255)));
+    }
+    CHECK(json::parse(
+              course("compare --encoding linear --json step.png step.pfm --within 0").out)["within"]["0"] ==
+          1);
+    CHECK(json::parse(course("compare --json step.png black.png").out)["within"]["1"] == 1);
 }
 
 TEST_CASE("explain says what was kept, what was left out, and which chapters draw it") {

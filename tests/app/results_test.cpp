@@ -206,3 +206,16 @@ TEST_CASE("verdicts as JSON have the documented form") {
           R"({"id":"02.1","title":"First","points":10,"state":"todo","message":""},)"
           R"({"id":"02.2","title":"Second","points":5,"state":"failed","message":"why"}]}]})");
 }
+
+TEST_CASE("words that are not UTF-8 are remembered escaped") {
+    const Tree tree;
+    tree.start_first_step();
+    ChapterResult result = all_todo(tree.chapter());
+    result.build_error = "x.cpp:1: error: caf\xe9";
+    result.steps[0] = {"02.1", State::Failed, "\xff\x1b"};
+    remember(tree.project, tree.chapter(), result);
+    const KnownResult known = known_result(tree.project, tree.chapter());
+    CHECK(known.current);
+    CHECK(known.result.build_error == "x.cpp:1: error: caf\\xe9");
+    CHECK(known.result.steps[0].message == "\\xff\x1b");
+}
