@@ -32,9 +32,9 @@ Vec3 visibility(const World& world, const ShadowRay& shadow) {
 }
 
 Vec3 colored_visibility(const World& world, const ShadowRay& shadow) {
-    // 06.4  Start with white. As long as there is a closest hit in the range: multiply by the
-    // transmission of its material (surface_at, then material_at), and go on behind it by raising range.min
-    // to its t. Stop where nothing is hit any more, or when the product is black.
+    // 06.4  Start with white, and with the closest hit in the range. As long as there is a hit:
+    // multiply by the transmission of its material (surface_at, then material_at), and go on to the
+    // next_hit. Stop where nothing is hit any more, or when the product is black.
     return todo("06.4");
 }
 

@@ -30,7 +30,7 @@ Vec3 visibility(const World& world, const ShadowRay& shadow);
 
 /// [06.4] Which part of the light arrives where some things are transparent: the product of the
 /// transmission of every surface crossed, without refraction (POV-Ray's convention); 0 behind anything
-/// opaque. Surfaces at exactly the same distance count as one, the first in the file.
+/// opaque. Of objects that are crossed at exactly the same distance each counts.
 Vec3 colored_visibility(const World& world, const ShadowRay& shadow);
 
 }  // namespace rt

@@ -4,18 +4,15 @@
 #include "common/scene/query.hpp"
 
 #include <array>
-#include <cstdint>
+#include <vector>
 
 namespace rt {
 
 enum class RayKind { Camera, Reflection, Refraction };
 
 /// Which transparent objects a ray is inside of, in the order of entering; the last one's medium is the
-/// one around the ray. More than eight nested at once are not kept: the ninth counts as not entered.
-struct Media {
-    std::array<Medium, 8> inside{};
-    std::uint32_t count = 0;
-};
+/// one around the ray.
+using Media = std::vector<Medium>;
 
 /// One ray of the tree.
 struct Branch {
@@ -41,9 +38,15 @@ Media cross(const Media& media, Medium medium);
 /// `incoming.weight` already contains the absorption on the way to the hit. An opaque material (transmission
 /// 0) sends one mirror ray with the factor `specular`. A transparent one sends a mirror ray with the factor
 /// R, its Fresnel reflectance (`specular` where it has none), and a refracted ray with (1 − R) ·
-/// transmission; where reflection is total the mirror ray's factor is 1 and there is no other. A ray none of
-/// whose weights is greater than world.min_contribution is left out, and all are once incoming.depth has
-/// reached world.max_depth.
+/// transmission; where reflection is total the mirror ray's factor is 1 and there is no other.
+///
+/// The mirror ray leaves on the side of the *geometric* surface where `incoming` arrived, the refracted one
+/// on the other, whatever the shading normal says. Where a refracted ray that enters an object would not,
+/// there is none, as where reflection is total; any other direction on the wrong side is mirrored at the
+/// geometric surface. So no light is lost, and a closed body is left as often as it is entered.
+///
+/// A ray none of whose weights is greater than world.min_contribution is left out, and all are once
+/// incoming.depth has reached world.max_depth.
 Branches scatter(const World& world, const Branch& incoming, const Hit& hit, const Surface& surface,
                  const Material& material);
 

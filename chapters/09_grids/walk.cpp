@@ -126,6 +126,25 @@ bool any_in_cell(const Grid& grid, std::size_t number, const Grid* inner, Interv
     return todo("09.8");
 }
 
+/// Appends the hits with the shapes of a cell that this ray has not asked yet.
+template <class Ask>
+void all_in_cell(const Grid& grid, std::size_t number, Interval t, Search& search, const Ask& ask,
+                 std::vector<Hit>& hits) {
+    for (std::uint32_t k = grid.first[number]; k < grid.first[number + 1]; ++k) {
+        const std::uint32_t i = grid.items[k];
+        if (!search.is_new(i)) continue;
+        if (std::optional<Hit> hit = ask(i, search.range)) {
+            hit->primitive = i;
+            hits.push_back(*hit);
+        }
+    }
+    if (const Grid* inner = inner_grid(grid, number))
+        search_grid(*inner, search, t, [&](std::size_t n, Interval part) {
+            all_in_cell(*inner, n, part, search, ask, hits);
+            return false;
+        });
+}
+
 template <class Ask>
 std::optional<Hit> closest(const Grid& grid, std::size_t count, const Ray& ray, Interval range,
                            Mailbox& mailbox, const Ask& ask) {
@@ -143,6 +162,27 @@ bool any(const Grid& grid, std::size_t count, const Ray& ray, Interval range, Ma
     return search_grid(grid, search, range, [&](std::size_t number, Interval t) {
         return any_in_cell(grid, number, inner_grid(grid, number), t, search, ask);
     });
+}
+
+template <class Ask>
+void all(const Grid& grid, std::size_t count, const Ray& ray, Interval range, Mailbox& mailbox,
+         const Ask& ask, std::vector<Hit>& hits) {
+    Search search(ray, range, mailbox, count);
+    search_grid(grid, search, range, [&](std::size_t number, Interval t) {
+        all_in_cell(grid, number, t, search, ask, hits);
+        return false;
+    });
+}
+
+/// The same without a grid.
+template <class Ask>
+void all(std::size_t count, Interval range, const Ask& ask, std::vector<Hit>& hits) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (std::optional<Hit> hit = ask(i, range)) {
+            hit->primitive = i;
+            hits.push_back(*hit);
+        }
+    }
 }
 
 /// How shapes are asked one at a time.
@@ -170,6 +210,14 @@ bool any_shape(const Grid& grid, std::span<const Shape> shapes, const Ray& ray, 
     const auto ask = asking(shapes, ray);
     return any(grid, shapes.size(), ray, range, mailbox,
                [&](std::uint32_t i, Interval in) { return ask(i, in).has_value(); });
+}
+
+template <class Shape>
+void append_shapes(const Grid& grid, std::span<const Shape> shapes, const Ray& ray, Interval range,
+                   Mailbox& mailbox, std::vector<Hit>& hits) {
+    const auto ask = asking(shapes, ray);
+    if (!within_reach(grid, ray)) return all(shapes.size(), range, ask, hits);
+    all(grid, shapes.size(), ray, range, mailbox, ask, hits);
 }
 
 }  // namespace
@@ -240,6 +288,35 @@ bool any_hit(const Grid& grid, std::span<const Instance> shapes, std::span<const
     if (!within_reach(grid, ray)) return any_hit(shapes, meshes, ray, range);
     return any(grid, shapes.size(), ray, range, mailbox,
                [&](std::uint32_t i, Interval in) { return any_hit(shapes.subspan(i, 1), meshes, ray, in); });
+}
+
+void append_hits(const Grid& grid, std::span<const Sphere> shapes, const Ray& ray, Interval range,
+                 Mailbox& mailbox, std::vector<Hit>& hits) {
+    append_shapes(grid, shapes, ray, range, mailbox, hits);
+}
+
+void append_hits(const Grid& grid, std::span<const Triangle> shapes, const Ray& ray, Interval range,
+                 Mailbox& mailbox, std::vector<Hit>& hits) {
+    append_shapes(grid, shapes, ray, range, mailbox, hits);
+}
+
+void append_hits(const Grid& grid, std::span<const Polygon> shapes, const Ray& ray, Interval range,
+                 Mailbox& mailbox, std::vector<Hit>& hits) {
+    append_shapes(grid, shapes, ray, range, mailbox, hits);
+}
+
+void append_hits(const Grid& grid, std::span<const Ellipsoid> shapes, const Ray& ray, Interval range,
+                 Mailbox& mailbox, std::vector<Hit>& hits) {
+    append_shapes(grid, shapes, ray, range, mailbox, hits);
+}
+
+void append_hits(const Grid& grid, std::span<const Instance> shapes, std::span<const SharedMesh> meshes,
+                 const Ray& ray, Interval range, Mailbox& mailbox, std::vector<Hit>& hits) {
+    const auto ask = [&](std::uint32_t i, Interval in) {
+        return closest_hit(shapes.subspan(i, 1), meshes, ray, in);
+    };
+    if (!within_reach(grid, ray)) return all(shapes.size(), range, ask, hits);
+    all(grid, shapes.size(), ray, range, mailbox, ask, hits);
 }
 
 WalkCounts& walk_counts() {

@@ -52,6 +52,19 @@ bool any_hit(const Grid& grid, std::span<const Ellipsoid> shapes, const Ray& ray
 bool any_hit(const Grid& grid, std::span<const Instance> shapes, std::span<const SharedMesh> meshes,
              const Ray& ray, Interval range, Mailbox& mailbox);
 
+/// Appends a hit for each shape that is hit in the range, its nearest there, in no particular order. Every
+/// shape in the cells along the range is asked, so the range should be short. Given.
+void append_hits(const Grid& grid, std::span<const Sphere> shapes, const Ray& ray, Interval range,
+                 Mailbox& mailbox, std::vector<Hit>& hits);
+void append_hits(const Grid& grid, std::span<const Triangle> shapes, const Ray& ray, Interval range,
+                 Mailbox& mailbox, std::vector<Hit>& hits);
+void append_hits(const Grid& grid, std::span<const Polygon> shapes, const Ray& ray, Interval range,
+                 Mailbox& mailbox, std::vector<Hit>& hits);
+void append_hits(const Grid& grid, std::span<const Ellipsoid> shapes, const Ray& ray, Interval range,
+                 Mailbox& mailbox, std::vector<Hit>& hits);
+void append_hits(const Grid& grid, std::span<const Instance> shapes, std::span<const SharedMesh> meshes,
+                 const Ray& ray, Interval range, Mailbox& mailbox, std::vector<Hit>& hits);
+
 /// What a ray asked on its way, for tests and figures.
 struct WalkCounts {
     std::uint64_t cells = 0;   ///< cells entered

@@ -47,6 +47,13 @@ ordered_json to_json(const LightRecord& light) {
             {"contribution", to_json(light.contribution)}};
 }
 
+/// Which object of the file the primitive is.
+std::uint32_t object_of(const World& world, std::uint32_t primitive) {
+    const auto face = std::ranges::lower_bound(world.faces, primitive, {}, &BodyFace::primitive);
+    return face != world.faces.end() && face->primitive == primitive ? face->object
+                                                                     : world.primitives[primitive].object;
+}
+
 ordered_json to_json(const Scene& scene, const World& world, const TraceRecord& record) {
     const Branch& branch = record.branch;
     ordered_json json = {{"kind", kind_name(branch.kind)},
@@ -57,8 +64,7 @@ ordered_json to_json(const Scene& scene, const World& world, const TraceRecord& 
                          {"weight", to_json(branch.weight)},
                          {"hit", record.hit.has_value()}};
     if (record.hit) {
-        const Primitive& primitive = world.primitives[record.hit->primitive];
-        const Object& object = scene.objects[primitive.object];
+        const Object& object = scene.objects[object_of(world, record.hit->primitive)];
         json["shape"] = shape_names[object.shape.index()];
         json["line"] = object.place.line;
         json["primitive"] = record.hit->primitive;

@@ -6,6 +6,7 @@
 #include "common/render/eye_inside.hpp"
 #include "common/render/grids.hpp"
 #include "common/render/primitives.hpp"
+#include "common/scene/range.hpp"
 
 #include <fmt/core.h>
 
@@ -24,7 +25,12 @@ bool is_zero(const Vec3& v) { return v == Vec3(0); }
 View view_of(const Scene& scene) {
     const Camera& camera = scene.camera;
     const bool perspective = camera.projection == Projection::Perspective;
-    return {.frame = camera_frame(camera),
+    // Only directions matter to the frame, and those may come from places very near and very far apart.
+    Camera directions = camera;
+    directions.eye = near_one(camera.eye - camera.look_at);
+    directions.look_at = Vec3(0);
+    directions.up = near_one(camera.up);
+    return {.frame = camera_frame(directions),
             .eye = camera.eye,
             .projection = camera.projection,
             .half_height = perspective ? std::tan(camera.fovy / 2) : camera.view_height / 2,
@@ -102,6 +108,34 @@ void derive_needs(const Scene& scene, World& world) {
     needs.uvs = scene.integrator == Integrator::Uv;
 }
 
+/// Refuses what could make light so strong that its number ends. A factor above 1 may be met once a bounce,
+/// and a filter above 1 at every surface of its material.
+void check_growth(const Scene& scene, const World& world) {
+    std::vector<Real> surfaces(world.materials.size(), 0);
+    if (world.needs.colored_shadows)
+        for (const Primitive& primitive : world.primitives) {
+            const auto* instances = std::get_if<Instances>(&world.groups[primitive.group]);
+            surfaces[primitive.material] +=
+                instances ? static_cast<Real>(
+                                world.meshes[instances->shapes[primitive.index].mesh].triangles.shapes.size())
+                          : 2;
+        }
+    const Real bounces = world.needs.reflection || world.needs.refraction ? world.max_depth : 0;
+    for (const Object& object : scene.objects) {
+        const Material& m = world.materials[object.material];
+        const Real filter = size_of(m.transmission), factor = std::max(filter, size_of(m.specular));
+        const bool grows =
+            (factor > 1 && bounces * std::log10(factor) > std::log10(largest_number)) ||
+            (filter > 1 && surfaces[object.material] * std::log10(filter) > std::log10(largest_number));
+        if (grows)
+            fail(scene, object.place,
+                 fmt::format(
+                     "the material sends on {} times the light that it gets, which may grow beyond {}: "
+                     "let specular and transmission be 1 at most, or maxdepth less",
+                     factor, largest_number));
+    }
+}
+
 }  // namespace
 
 World compile(const Scene& scene) {
@@ -127,6 +161,7 @@ World compile(const Scene& scene) {
             if (!std::holds_alternative<TriangleObject>(object.shape) &&
                 !std::holds_alternative<MeshObject>(object.shape))
                 fail(scene, object.place, "scan conversion draws triangles only");
+    check_growth(scene, world);
     add_grids(scene, world);
     if (world.needs.refraction) world.eye_inside = objects_around_eye(world);
     return world;

@@ -3,6 +3,7 @@
 #include "common/render/export_povray.hpp"
 
 #include "common/math/input_error.hpp"
+#include "common/scene/range.hpp"
 
 #include <fmt/format.h>
 #include <glm/matrix.hpp>
@@ -75,7 +76,10 @@ bool shows_directions_on_sphere(const Scene& scene) {
     return scene.integrator == Integrator::Directions && scene.camera.projection == Projection::Perspective;
 }
 
-Vec3 backwards(const Camera& camera) { return glm::normalize(camera.eye - camera.look_at); }
+/// The unit vector along v, which may have any length but 0.
+Vec3 unit(const Vec3& v) { return glm::normalize(near_one(v)); }
+
+Vec3 backwards(const Camera& camera) { return unit(camera.eye - camera.look_at); }
 
 /// Whether any object sends rays on.
 bool has_bounces(const Scene& scene) {
@@ -119,7 +123,7 @@ void write_header(Writer& out) {
 void write_camera(Writer& out) {
     const Camera& camera = out.scene.camera;
     const Vec3 w = backwards(camera);
-    const Vec3 u = glm::normalize(glm::cross(camera.up, w));
+    const Vec3 u = unit(glm::cross(near_one(camera.up), w));
     const Vec3 v = glm::cross(w, u);
     const bool flat = camera.projection == Projection::Orthographic;
     const Real height = flat ? camera.view_height : 2 * std::tan(camera.fovy / 2);
@@ -204,7 +208,7 @@ void write_lights(Writer& out) {
                 write_light(out, *point, i);
             } else {
                 const auto& light = std::get<DirectionalLight>(scene.lights[i]);
-                write_parallel_light(out, glm::normalize(light.direction), light.color);
+                write_parallel_light(out, unit(light.direction), light.color);
             }
         }
     }
@@ -348,7 +352,7 @@ Mat4 matrix_of(const Scene& scene, int node) {
             for (int i = 0; i < 3; ++i) step[i][i] = stretch->by[i];
         } else {
             const auto& turn = std::get<Rotate>(what);
-            const Vec3 k = glm::normalize(turn.axis);
+            const Vec3 k = unit(turn.axis);
             for (int i = 0; i < 3; ++i) {
                 Vec3 e(0);
                 e[i] = 1;
@@ -376,7 +380,7 @@ std::string shape_text(const Scene&, const Object&, const Sphere& sphere) {
 }
 
 std::string shape_text(const Scene&, const Object&, const Plane& plane) {
-    const Vec3 n = glm::normalize(plane.normal);
+    const Vec3 n = unit(plane.normal);
     return fmt::format("plane {{ {}, {}", triple(n), number(glm::dot(n, plane.point)));
 }
 
@@ -393,7 +397,7 @@ std::string shape_text(const Scene& scene, const Object&, const TriangleObject& 
         if (i > 0) text += ", ";
         if (triangle.smooth) {
             const SmoothVertex& v = scene.smooth_vertices[triangle.vertex[i]];
-            text += triple(v.position) + ", " + triple(v.normal);
+            text += triple(v.position) + ", " + triple(in_range(v.normal) ? v.normal : near_one(v.normal));
         } else {
             text += triple(scene.vertices[triangle.vertex[i]]);
         }

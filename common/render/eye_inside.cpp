@@ -12,9 +12,7 @@ std::vector<Medium> objects_around_eye(const World& world) {
     // aligned with the axes.
     const Ray ray{world.view.eye, glm::normalize(Vec3(0.41, 0.83, 0.37))};
     std::vector<Medium> inside;  // in the order of leaving, so innermost first
-    Interval range;
-    while (const std::optional<Hit> hit = closest_hit(world, ray, range)) {
-        range.min = hit->t;
+    for (std::optional<Hit> hit = closest_hit(world, ray, {}); hit; hit = next_hit(world, ray, *hit, {})) {
         const Primitive& primitive = world.primitives[hit->primitive];
         if (world.materials[primitive.material].transmission == Vec3(0)) continue;
         const auto same = std::find_if(inside.begin(), inside.end(),

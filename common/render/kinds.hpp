@@ -10,6 +10,9 @@
 #include "chapters/09_grids/walk.hpp"
 #include "common/scene/query.hpp"
 
+#include <type_traits>
+#include <vector>
+
 namespace rt {
 
 /// The group's shapes. Their number comes from the indices, which are as many: to divide by the size of four
@@ -59,6 +62,32 @@ template <class Kind>
 [[gnu::noinline]] inline bool any_in(const World& world, const Gridded<Instances>& group, const Ray& ray,
                                      Interval range) {
     return any_hit(group.grid, shapes_of(group), world.meshes, ray, range, mailbox_of(group.grid));
+}
+
+/// Appends a hit for each of the group's shapes that is hit, its nearest in the range, which should be short;
+/// `Hit::primitive` is the index into the group.
+template <class Shape>
+void append_in(const World& world, const Group<Shape>& group, const Ray& ray, Interval range,
+               std::vector<Hit>& hits) {
+    for (std::uint32_t i = 0; i < group.primitive.size(); ++i) {
+        std::optional<Hit> hit;
+        if constexpr (std::is_same_v<Shape, Instance>)
+            hit = closest_hit(shapes_of(group).subspan(i, 1), world.meshes, ray, range);
+        else
+            hit = intersect(group.shapes[i], ray, range);
+        if (!hit) continue;
+        hit->primitive = i;
+        hits.push_back(*hit);
+    }
+}
+template <class Kind>
+void append_in(const World&, const Gridded<Kind>& group, const Ray& ray, Interval range,
+               std::vector<Hit>& hits) {
+    append_hits(group.grid, shapes_of(group), ray, range, mailbox_of(group.grid), hits);
+}
+inline void append_in(const World& world, const Gridded<Instances>& group, const Ray& ray, Interval range,
+                      std::vector<Hit>& hits) {
+    append_hits(group.grid, shapes_of(group), world.meshes, ray, range, mailbox_of(group.grid), hits);
 }
 
 /// The surface at a hit with the group's shape `index`.

@@ -3,11 +3,17 @@
 
 #include "chapters/04_transforms/transform.hpp"
 #include "common/math/input_error.hpp"
+#include "common/render/bodies.hpp"
+#include "common/scene/parse.hpp"
+#include "common/scene/range.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <span>
+#include <string_view>
 
 namespace rt {
 namespace {
@@ -15,6 +21,7 @@ namespace {
 /// The matrices of a scene's transform tree, and what can be said of them without looking at numbers.
 struct Transforms {
     std::vector<Mat4> matrix;
+    std::vector<std::optional<Mat4>> inverse;     ///< of those that were asked for, see transform_of
     std::vector<std::optional<Real>> similarity;  ///< the factor for all lengths alike, if there is one
     std::vector<bool> turns;                      ///< whether directions are turned or mirrored
 };
@@ -22,7 +29,8 @@ struct Transforms {
 Transforms transforms_of(const Scene& scene) {
     const auto transformed = [](const Object& object) { return object.transform >= 0; };
     if (std::none_of(scene.objects.begin(), scene.objects.end(), transformed)) return {};
-    Transforms transforms{compose(scene.transforms), {}, {}};
+    Transforms transforms{compose(scene.transforms), {}, {}, {}};
+    transforms.inverse.resize(scene.transforms.size());
     for (const TransformNode& node : scene.transforms) {
         const auto parent = static_cast<std::size_t>(node.parent);
         std::optional<Real> factor = node.parent < 0 ? 1 : transforms.similarity[parent];
@@ -57,6 +65,21 @@ Face face_of(const Mesh& mesh, const std::array<Mesh::Corner, 3>& corners) {
     if (a.uv >= 0 && b.uv >= 0 && c.uv >= 0)
         face.uvs = {at(mesh.uvs, a.uv), at(mesh.uvs, b.uv), at(mesh.uvs, c.uv)};
     return face;
+}
+
+/// Meshes that are flattened by more are not shared: the sphere around an instance is met like a ball, and
+/// that must not lose a triangle.
+constexpr Real most_flattening_of_instance = 1e7;
+
+/// How much longer the longest half-axis of a ball's image is than the shortest; too much by a factor of 3 at
+/// most.
+Real flattening_of(const Transform& t) {
+    Real there = 0, back = 0;
+    for (int column = 0; column < 3; ++column) {
+        there += dot(Vec3(t.to_world[column]), Vec3(t.to_world[column]));
+        back += dot(Vec3(t.to_local[column]), Vec3(t.to_local[column]));
+    }
+    return std::sqrt(there) * std::sqrt(back);
 }
 
 /// The vector with length 1; it may be as short or long as numbers go.
@@ -106,6 +129,11 @@ struct Builder {
           transforms(transforms_of(from)),
           uses(from.meshes.size()),
           shared(from.meshes.size()) {
+        if (to.needs.refraction || to.needs.colored_shadows) {
+            Bodies found = bodies_of(from, to.needs.refraction);
+            bodies = std::move(found.of);
+            to.sheets = std::move(found.sheets);
+        }
         for (const Object& one : from.objects)
             if (const auto* mesh = std::get_if<MeshObject>(&one.shape)) ++uses[mesh->mesh];
     }
@@ -132,15 +160,79 @@ struct Builder {
         for (Primitive& primitive : world.primitives) primitive.group = group_of[primitive.group];
     }
 
-    std::optional<Transform> transform_of(const Object& one) const {
+    /// The transform of an object. Each step on the way to it is looked at, so that nothing is lost in the
+    /// middle of a chain that later steps could not bring back.
+    std::optional<Transform> transform_of(const Object& one) {
         if (one.transform < 0) return std::nullopt;
+        std::vector<std::size_t> chain;
+        for (int i = one.transform; i >= 0 && !transforms.inverse[static_cast<std::size_t>(i)];
+             i = scene.transforms[static_cast<std::size_t>(i)].parent)
+            chain.push_back(static_cast<std::size_t>(i));
+        for (auto node = chain.rbegin(); node != chain.rend(); ++node) {
+            const auto complain = [&](std::string_view what) {
+                fail(scene.transforms[*node].place,
+                     fmt::format("the transform in force after this step {}", what));
+            };
+            const Mat4& m = transforms.matrix[*node];
+            if (!in_range(m)) complain(fmt::format("has numbers beyond {}", largest_number));
+            const std::optional<Mat4> back = inverse(m);
+            if (!back) complain("is singular: it has no inverse");
+            if (!in_range(Mat3(*back)))
+                complain(fmt::format("makes lengths shorter by more than {}", largest_number));
+            transforms.inverse[*node] = back;
+        }
         const auto node = static_cast<std::size_t>(one.transform);
-        const Mat4& m = transforms.matrix[node];
-        if (const std::optional<Mat4> back = inverse(m)) return Transform{m, *back};
-        const SourcePlace place = scene.transforms[node].place;
-        throw InputError(
-            fmt::format("{}:{}:{}: the transform in force after this step is singular: it has no inverse",
-                        scene.file, place.line, place.column));
+        return Transform{transforms.matrix[node], *transforms.inverse[node]};
+    }
+
+    [[noreturn]] void fail(SourcePlace place, const std::string& what) const {
+        throw InputError(fmt::format("{}:{}:{}: {}", scene.file, place.line, place.column, what));
+    }
+
+    /// Refuses the object being added if the point is too far away.
+    void check_place(const Vec3& p) const {
+        if (!in_range(p))
+            fail(object->place, fmt::format("coordinates beyond {}: a point of this object is at {} {} {}",
+                                            largest_number, p.x, p.y, p.z));
+    }
+
+    /// Refuses the object being added if its size is out of range.
+    void check_size(const char* noun, Real size) const {
+        if (!(size >= smallest_size && size <= largest_number))
+            fail(object->place, fmt::format("{} from {} to {} can be drawn, but this is {}", noun,
+                                            smallest_size, largest_number, size));
+    }
+
+    /// Corners that are all in the same place, or on one line, are no error: there is nothing to see.
+    void check_corners(std::span<const Vec3> corners) const {
+        Vec3 low(infinity), high(-infinity);
+        for (const Vec3& corner : corners) {
+            check_place(corner);
+            low = glm::min(low, corner), high = glm::max(high, corner);
+        }
+        if (low != high) check_size("faces", size_of(high - low));
+    }
+
+    /// A ball that is too flat, or too far away in a parallel projection, would be drawn wrong by rounding.
+    void check_ball(const Vec3& center, Real shortest, Real longest, Real flattening) const {
+        const Camera& camera = scene.camera;
+        if (camera.projection == Projection::Perspective) {
+            const Real most = most_flattening * std::min(Real(1), camera.fovy);
+            if (!(flattening <= 3 * most))
+                fail(object->place,
+                     fmt::format("a ball that is flattened too much: by at most {:.2g} it can be drawn here",
+                                 most));
+            return;
+        }
+        // What is smaller than a pixel shows nothing that could be wrong.
+        const bool is_seen = longest * largest_side >= camera.view_height;
+        const Real far = glm::length(center - camera.eye);
+        if (is_seen && !(far <= most_flattening * shortest))
+            fail(
+                object->place,
+                fmt::format("a ball whose shortest half-axis, {:.2g}, is less than 1/{} of its distance from "
+                            "the eye; bring the eye of the parallel projection nearer",
+                            shortest, most_flattening));
     }
 
     Vec3 point(const Vec3& p) const { return transform ? transform_point(transform->to_world, p) : p; }
@@ -149,14 +241,21 @@ struct Builder {
     /// Appends a shape to its group, as the next primitive of the file.
     template <class AnyGroup, class Shape>
     void append(AnyGroup& group, Kind kind, Shape shape) {
-        group.primitive.push_back(static_cast<std::uint32_t>(world.primitives.size()));
-        world.primitives.push_back({kind, static_cast<std::uint32_t>(group.shapes.size()), object->material,
-                                    static_cast<std::uint32_t>(object - scene.objects.data())});
+        const auto place = static_cast<std::uint32_t>(world.primitives.size());
+        const auto own = static_cast<std::uint32_t>(object - scene.objects.data());
+        const std::uint32_t body = bodies.empty() ? own : bodies[own];
+        if (body != own) world.faces.push_back({place, own});
+        group.primitive.push_back(place);
+        world.primitives.push_back(
+            {kind, static_cast<std::uint32_t>(group.shapes.size()), object->material, body});
         group.shapes.push_back(std::move(shape));
     }
 
     void add(const Plane& plane) {
-        append(planes, PlaneKind, Plane{point(plane.point), normal(plane.normal)});
+        // Of any length in the file; no plane is another by a power of two.
+        const Plane baked{point(plane.point), near_one(normal(near_one(plane.normal)))};
+        check_place(baked.point);
+        append(planes, PlaneKind, baked);
     }
 
     void add(const Sphere& sphere) {
@@ -164,7 +263,11 @@ struct Builder {
         const std::optional<Real> factor = transform ? transforms.similarity[node] : 1;
         // A sphere that is turned is the same sphere, but for its texture coordinates.
         if (factor && !(world.needs.uvs && transform && transforms.turns[node])) {
-            append(spheres, SphereKind, Sphere{point(sphere.center), sphere.radius * *factor});
+            const Sphere baked{point(sphere.center), sphere.radius * *factor};
+            check_place(baked.center);
+            check_size("radii", baked.radius);
+            check_ball(baked.center, baked.radius, baked.radius, 1);
+            append(spheres, SphereKind, baked);
             return;
         }
         // The ellipsoid is the unit sphere's image, so the sphere's own centre and radius join the map.
@@ -172,13 +275,29 @@ struct Builder {
         Mat4 from_unit(r), to_unit(1 / r);
         from_unit[3] = Vec4(sphere.center, 1);
         to_unit[3] = Vec4(-sphere.center / r, 1);
-        append(ellipsoids, EllipsoidKind,
-               Ellipsoid{{transform->to_world * from_unit, to_unit * transform->to_local}});
+        check_size("radii", r);
+        const Ellipsoid ellipsoid{{transform->to_world * from_unit, to_unit * transform->to_local}};
+        check_ellipsoid(ellipsoid.transform);
+        append(ellipsoids, EllipsoidKind, ellipsoid);
+    }
+
+    /// For the map from the unit ball.
+    void check_ellipsoid(const Transform& map) const {
+        Real there = 0, back = 0;
+        for (int i = 0; i < 3; ++i) {
+            there = std::max(there, size_of(Vec3(map.to_world[i])));
+            back = std::max(back, size_of(Vec3(map.to_local[i])));
+        }
+        check_place(Vec3(map.to_world[3]));
+        check_size("half-axes", there);
+        check_size("half-axes", 1 / back);
+        check_ball(Vec3(map.to_world[3]), 1 / back, there, flattening_of(map));
     }
 
     void add(const Face& face) {
         const Triangle& t = face.triangle;
         const Triangle baked{point(t.a), point(t.b), point(t.c)};
+        check_corners(std::array{baked.a, baked.b, baked.c});
         const bool is_smooth = world.needs.normals && face.normals;
         if (is_smooth) {
             // Not made unit vectors again: the map is linear, so interpolating its images is the same as
@@ -207,12 +326,14 @@ struct Builder {
         Polygon shape;
         for (const std::uint32_t index : polygon.vertex)
             shape.vertices.push_back(point(scene.vertices[index]));
+        check_corners(shape.vertices);
         append(polygons, PolygonKind, std::move(shape));
     }
 
     void add(const MeshObject& shown) {
         const Mesh& mesh = scene.meshes[shown.mesh];
-        if (uses[shown.mesh] == 1) {
+        const bool too_flat = transform && !(flattening_of(*transform) <= 3 * most_flattening_of_instance);
+        if (uses[shown.mesh] == 1 || too_flat) {
             for (const auto& corners : mesh.triangles) add(face_of(mesh, corners));
             return;
         }
@@ -221,7 +342,23 @@ struct Builder {
             index = static_cast<std::uint32_t>(world.meshes.size());
             world.meshes.push_back(share(mesh));
         }
-        append(instances, InstanceKind, Instance{transform.value_or(Transform{}), *index});
+        const Instance instance{transform.value_or(Transform{}), *index};
+        check_instance(instance.transform, world.meshes[*index].bound);
+        append(instances, InstanceKind, instance);
+    }
+
+    /// A mesh that instances share must be in range in its own space, too, and so its image.
+    void check_instance(const Transform& map, const Sphere& bound) const {
+        check_place(bound.center + bound.radius);
+        check_place(bound.center - bound.radius);
+        if (bound.radius > 0) check_size("meshes", bound.radius);
+        Real reach = 0;
+        for (int row = 0; row < 3; ++row)
+            reach = std::max(
+                reach, glm::length(Vec3(map.to_world[0][row], map.to_world[1][row], map.to_world[2][row])));
+        const Vec3 center = transform_point(map.to_world, bound.center);
+        check_place(center + reach * bound.radius);
+        check_place(center - reach * bound.radius);
     }
 
     SharedMesh share(const Mesh& mesh) const {
@@ -243,6 +380,8 @@ struct Builder {
     Transforms transforms;
     std::vector<std::size_t> uses;                     ///< how many objects show each mesh
     std::vector<std::optional<std::uint32_t>> shared;  ///< where each mesh went, if several do
+
+    std::vector<std::uint32_t> bodies;  ///< as Bodies::of
 
     const Object* object = nullptr;      ///< the one being added,
     std::optional<Transform> transform;  ///< and its transform

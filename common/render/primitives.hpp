@@ -10,8 +10,9 @@ namespace rt {
 /// matrix is left. What world.needs says of normals and texture coordinates decides whether they are kept.
 ///
 /// Transforms are baked into points, normals and radii where that is possible; spheres that are stretched
-/// become ellipsoids, and a mesh that several objects show is kept once, in its own space. Throws
-/// InputError with the place of a transform that has no inverse.
+/// become ellipsoids, and a mesh that several objects show is kept once, in its own space; transparent faces
+/// that enclose a body are one object. Throws InputError with the place of a transform that has no inverse,
+/// and of a transparent face without an inside.
 void add_primitives(const Scene& scene, World& world);
 
 }  // namespace rt

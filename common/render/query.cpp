@@ -4,6 +4,7 @@
 #include "common/render/kinds.hpp"
 #include "common/render/lights.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 
@@ -35,6 +36,31 @@ namespace {
     return false;
 }
 
+/// What is hit at exactly the distance of `last`, and comes after it there; see next_hit.
+std::optional<Hit> next_at_once(const World& world, const Ray& ray, const Hit& last) {
+    thread_local std::vector<Hit> hits;  // in the order of the file, once it is sorted
+    hits.clear();
+    const Interval here{std::nextafter(last.t, -infinity), last.t};
+    for (const AnyGroup& any : world.groups)
+        std::visit(
+            [&](const auto& group) {
+                const std::size_t first = hits.size();
+                append_in(world, group, ray, here, hits);
+                for (std::size_t i = first; i < hits.size(); ++i)
+                    hits[i].primitive = group.primitive[hits[i].primitive];
+            },
+            any);
+    std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.primitive < b.primitive; });
+    const auto object = [&](const Hit& hit) { return world.primitives[hit.primitive].object; };
+    for (auto hit = hits.begin(); hit != hits.end(); ++hit) {
+        if (hit->primitive <= last.primitive) continue;
+        const bool is_first = std::none_of(hits.begin(), hit,
+                                           [&](const Hit& before) { return object(before) == object(*hit); });
+        if (is_first) return *hit;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Hit> closest_hit(const World& world, const Ray& ray, Interval range) {
@@ -42,6 +68,11 @@ std::optional<Hit> closest_hit(const World& world, const Ray& ray, Interval rang
     // One kind holds all the primitives in the order of the file: its answer is the world's.
     return std::visit([&](const auto& group) { return closest_in(world, group, ray, range); },
                       world.groups.front());
+}
+
+std::optional<Hit> next_hit(const World& world, const Ray& ray, const Hit& last, Interval range) {
+    if (const std::optional<Hit> beside = next_at_once(world, ray, last)) return beside;
+    return closest_hit(world, ray, {last.t, range.max});
 }
 
 bool occluded(const World& world, const Ray& ray, Interval range) {
@@ -88,6 +119,13 @@ std::uint32_t material_index(const World& world, const Hit& hit, const Surface& 
 
 const Material& material_at(const World& world, const Hit& hit, const Surface& surface) {
     return world.materials[material_index(world, hit, surface)];
+}
+
+const Material* material_around(const World& world, std::span<const Medium> inside) {
+    for (auto medium = inside.rbegin(); medium != inside.rend(); ++medium)
+        if (!std::binary_search(world.sheets.begin(), world.sheets.end(), medium->object))
+            return &world.materials[medium->material];
+    return nullptr;
 }
 
 Vec3 local_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,

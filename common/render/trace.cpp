@@ -33,23 +33,19 @@ std::vector<TraceRecord> trace_tree(const World& world, const Ray& ray) {
     const bool bounces = world.needs.reflection || world.needs.refraction;
     TraceRecord first;
     first.branch.ray = ray;
-    if (bounces)
-        for (const Medium& medium : world.eye_inside) first.branch.media = cross(first.branch.media, medium);
+    if (bounces) first.branch.media = world.eye_inside;
     std::vector<TraceRecord> tree;
     std::vector<TraceRecord> stack{first};
     while (!stack.empty()) {
         TraceRecord record = std::move(stack.back());
         stack.pop_back();
-        const Media& media = record.branch.media;
         record.weight = record.branch.weight;
         record.local = world.background;
         record.hit = closest_hit(world, record.branch.ray, {0, infinity});
         const int index = static_cast<int>(tree.size());
-        if (world.needs.absorption && media.count > 0) {
-            const Medium& medium = media.inside[media.count - 1];
-            const Real way = record.hit ? record.hit->t : infinity;
-            record.weight *= transmitted(world.materials[medium.material].absorption, way);
-        }
+        const Material* around = material_around(world, record.branch.media);
+        if (world.needs.absorption && around)
+            record.weight *= transmitted(around->absorption, record.hit ? record.hit->t : infinity);
         if (record.hit) {
             shade(world, record);
             if (bounces) {

@@ -6,6 +6,7 @@
 #include "common/math/error.hpp"
 #include "common/math/input_error.hpp"
 #include "common/scene/mesh_file.hpp"
+#include "common/scene/range.hpp"
 #include "common/scene/suggest.hpp"
 #include "common/scene/text.hpp"
 
@@ -109,6 +110,39 @@ Real whole(const Parser& parser, std::size_t i, const char* noun, Real low, Real
 Vec3 vec3(const Parser& parser, std::size_t i) {
     const Real x = number(parser, i), y = number(parser, i + 1), z = number(parser, i + 2);
     return {x, y, z};
+}
+
+/// Refuses a number that is beyond what can be drawn, so that nothing computed from it leaves the range of
+/// Real.
+Real limited(const Parser& parser, std::size_t i, Real value, const char* nouns) {
+    if (std::abs(value) > largest_number)
+        fail(parser, parser.words[i],
+             std::string(nouns) + " beyond " + shown(largest_number) + " are not possible, and this is " +
+                 shown(value));
+    return value;
+}
+
+/// A point of the world.
+Vec3 place3(const Parser& parser, std::size_t i) {
+    const Vec3 value = vec3(parser, i);
+    for (int k = 0; k < 3; ++k) limited(parser, i + static_cast<std::size_t>(k), value[k], "coordinates");
+    return value;
+}
+
+Vec3 color(const Parser& parser, std::size_t i) {
+    const Vec3 value = vec3(parser, i);
+    for (int k = 0; k < 3; ++k) limited(parser, i + static_cast<std::size_t>(k), value[k], "colours");
+    return value;
+}
+
+/// A number that is greater than 0 and neither too small nor too large.
+Real sized(const Parser& parser, std::size_t i, const char* noun) {
+    const Real value = positive(parser, i, noun);
+    if (value < smallest_size || value > largest_number)
+        fail(parser, parser.words[i],
+             std::string(noun) + " must be from " + shown(smallest_size) + " to " + shown(largest_number) +
+                 ", not " + shown(value));
+    return value;
 }
 
 Vec3 not_negative3(const Parser& parser, std::size_t i, const char* noun) {
@@ -223,32 +257,24 @@ void set_size(Parser& parser) {
     parser.scene.height = static_cast<int>(height);
 }
 
-Real largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
-/// The unit vector along v, not 0, whatever its length: the squares neither overflow nor vanish.
-Vec3 unit(const Vec3& v) {
-    int exponent = 0;
-    std::frexp(largest(v), &exponent);
-    return glm::normalize(
-        Vec3(std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)));
-}
-
 void set_camera(Parser& parser) {
     Camera& camera = parser.scene.camera;
-    camera.eye = vec3(parser, 1);
-    camera.look_at = vec3(parser, 4);
+    camera.eye = place3(parser, 1);
+    camera.look_at = place3(parser, 4);
     camera.up = direction(parser, 7, "the up direction");
     const Real fovy = number(parser, 10);
     if (camera.eye == camera.look_at)
         fail(parser, parser.words[4], "the camera looks at the point where it stands");
-    Vec3 view = camera.look_at - camera.eye;
-    if (!std::isfinite(largest(view))) view = camera.look_at / Real(2) - camera.eye / Real(2);
+    const Vec3 view = camera.look_at - camera.eye;
     // Parallel vectors that are not multiples of each other to the bit cross to a few rounding errors.
-    if (glm::length(glm::cross(unit(view), unit(camera.up))) <= gamma(8))
+    const Vec3 across = glm::cross(glm::normalize(near_one(view)), glm::normalize(near_one(camera.up)));
+    if (glm::length(across) <= gamma(8))
         fail(parser, parser.words[7], "the up direction is parallel to the direction of view");
     if (!(fovy > 0 && fovy < 180))
         fail(parser, parser.words[10],
              "the field of view must be between 0 and 180 degrees, both excluded, not " + shown(fovy));
+    // The directions through neighbouring pixels must be different numbers.
+    if (fovy < 1e-6) fail(parser, parser.words[10], "the field of view must be at least 1e-6 degrees");
     camera.fovy = radians(fovy);
     parser.has_camera = true;
 }
@@ -270,6 +296,8 @@ void pop_transform(Parser& parser) {
 
 void set_attenuation(Parser& parser) {
     parser.attenuation = not_negative3(parser, 1, "attenuation");
+    for (std::size_t i = 1; i <= 3; ++i)
+        if (number(parser, i) != 0) sized(parser, i, "an attenuation that is not 0");
     if (parser.attenuation == Vec3(0))
         fail(parser, parser.words[1], "attenuation 0 0 0 would divide light by zero");
 }
@@ -309,7 +337,7 @@ Command commands[] = {
     {{"orthographic", "height",
       "Parallel projection: the picture is `height` world units high; the field of view is not used.", "01"},
      [](Parser& p) {
-         p.scene.camera.view_height = positive(p, 1, "the height of the view");
+         p.scene.camera.view_height = sized(p, 1, "the height of the view");
          p.scene.camera.projection = Projection::Orthographic;
      }},
     {{"encoding", "linear|srgb",
@@ -332,7 +360,7 @@ Command commands[] = {
                                                      {"rasterize", Integrator::Rasterize}});
      }},
     {{"background", "r g b", "Colour where nothing is hit; default 0 0 0.", "01"},
-     [](Parser& p) { p.scene.background = vec3(p, 1); }},
+     [](Parser& p) { p.scene.background = color(p, 1); }},
     {{"plane", "px py pz nx ny nz",
       "Plane through (px, py, pz) with the normal (nx, ny, nz), of any length but 0.", "01"},
      [](Parser& p) {
@@ -340,16 +368,16 @@ Command commands[] = {
      }},
     {{"ambient", "r g b",
       "For the objects that follow: light that they send whatever the lights; default .2 .2 .2.", "01"},
-     [](Parser& p) { p.material.ambient = vec3(p, 1); }},
+     [](Parser& p) { p.material.ambient = color(p, 1); }},
     {{"emission", "r g b", "For the objects that follow: light that they send besides; default 0 0 0.", "01"},
-     [](Parser& p) { p.material.emission = vec3(p, 1); }},
+     [](Parser& p) { p.material.emission = color(p, 1); }},
     {{"checker", "r g b r g b size",
       "For the objects that follow: two colours that multiply ambient, diffuse and emission, in solid cubes "
       "of the given size in world space. The first where the sum of the floors of x/size, y/size and z/size "
       "is even. `checker 1 1 1 1 1 1 1` is none.",
       "01"},
      [](Parser& p) {
-         p.material.checker = {vec3(p, 1), vec3(p, 4), positive(p, 7, "the size of the checker's cubes")};
+         p.material.checker = {color(p, 1), color(p, 4), sized(p, 7, "the size of the checker's cubes")};
      }},
     {{"sphere", "x y z r", "Sphere with centre (x, y, z) and radius r > 0.", "02"},
      [](Parser& p) {
@@ -397,11 +425,11 @@ Command commands[] = {
       "Light from infinitely far away; (x, y, z) points towards it. In world space, not attenuated.", "05"},
      [](Parser& p) {
          p.scene.lights.push_back(
-             DirectionalLight{direction(p, 1, "the direction to the light"), vec3(p, 4)});
+             DirectionalLight{direction(p, 1, "the direction to the light"), color(p, 4)});
      }},
     {{"point", "x y z r g b", "Light at (x, y, z) in world space, with the attenuation in force.", "05"},
      [](Parser& p) {
-         p.scene.lights.push_back(PointLight{vec3(p, 1), vec3(p, 4), p.attenuation});
+         p.scene.lights.push_back(PointLight{place3(p, 1), color(p, 4), p.attenuation});
      }},
     {{"attenuation", "c l q",
       "For the point lights that follow: light at distance d is divided by c + l·d + q·d²; default 1 0 0.",
@@ -409,11 +437,11 @@ Command commands[] = {
      set_attenuation},
     {{"diffuse", "r g b",
       "For the objects that follow: weight of light that is scattered evenly; default 0 0 0.", "05"},
-     [](Parser& p) { p.material.diffuse = vec3(p, 1); }},
+     [](Parser& p) { p.material.diffuse = color(p, 1); }},
     {{"specular", "r g b",
       "For the objects that follow: weight of the highlight and of the mirror direction; default 0 0 0.",
       "05"},
-     [](Parser& p) { p.material.specular = vec3(p, 1); }},
+     [](Parser& p) { p.material.specular = color(p, 1); }},
     {{"shininess", "s", "For the objects that follow: exponent of the highlight, at least 0; default 0.",
       "05"},
      [](Parser& p) { p.material.shininess = not_negative(p, 1, "the shininess"); }},
@@ -438,10 +466,10 @@ Command commands[] = {
      [](Parser& p) { p.scene.min_contribution = not_negative(p, 1, "the least contribution"); }},
     {{"transmission", "r g b",
       "For the objects that follow: weight of the refracted ray; default 0 0 0, opaque.", "07"},
-     [](Parser& p) { p.material.transmission = not_negative3(p, 1, "transmission"); }},
+     [](Parser& p) { p.material.transmission = not_negative3(p, 1, "transmission"), color(p, 1); }},
     {{"ior", "n", "For the objects that follow: index of refraction inside, greater than 0; default 1.",
       "07"},
-     [](Parser& p) { p.material.ior = positive(p, 1, "the index of refraction"); }},
+     [](Parser& p) { p.material.ior = sized(p, 1, "the index of refraction"); }},
     {{"fresnel", "none|exact|schlick",
       "For the objects that follow: how much light a transparent surface mirrors; default none.", "07"},
      [](Parser& p) {

@@ -5,11 +5,19 @@
 #include "common/scene/world.hpp"
 
 #include <optional>
+#include <span>
 
 namespace rt {
 
 /// Nearest hit in (range.min, range.max], or nothing. Of equal distances the first in the file wins.
 std::optional<Hit> closest_hit(const World& world, const Ray& ray, Interval range);
+
+/// The hit that comes after `last`, a hit of the same ray, up to and including range.max, or nothing.
+///
+/// Hits are ordered by distance; of equal distances, as where several sheets lie in one place, each object
+/// has its turn in the order of the file. An object that is met twice at one distance, on an edge between
+/// two of its triangles, is met once.
+std::optional<Hit> next_hit(const World& world, const Ray& ray, const Hit& last, Interval range);
 
 /// Whether anything at all is hit in (range.min, range.max]; stops at the first that is.
 bool occluded(const World& world, const Ray& ray, Interval range);
@@ -29,6 +37,10 @@ std::uint32_t material_index(const World& world, const Hit& hit, const Surface& 
 
 /// The material at a hit, its pattern decided.
 const Material& material_at(const World& world, const Hit& hit, const Surface& surface);
+
+/// The material of what is around a ray that is inside of these, outermost first: of the last that is not a
+/// sheet. Null where there is none: nothing is around it.
+const Material* material_around(const World& world, std::span<const Medium> inside);
 
 /// Radiance that the surface sends towards the viewer by itself and by reflecting the lights directly:
 /// ambient + emission + Σ visible · L/(c + l·d + q·d²) · (diffuse · max(n·l, 0) + specular · highlight).

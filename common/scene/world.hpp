@@ -92,7 +92,14 @@ struct Primitive {
     std::uint32_t group = 0;     ///< index into World::groups
     std::uint32_t index = 0;     ///< index into the group's shapes
     std::uint32_t material = 0;  ///< index into World::materials
-    std::uint32_t object = 0;    ///< which object of the file; all triangles of a mesh are one object
+    std::uint32_t object = 0;    ///< which object of the file; all triangles of a mesh are one object, and
+                                 ///< all faces of a transparent body are the first of them
+};
+
+/// A primitive whose own object of the file is not the one that its Primitive names.
+struct BodyFace {
+    std::uint32_t primitive = 0;  ///< index into World::primitives
+    std::uint32_t object = 0;     ///< which object of the file
 };
 
 /// A transparent object that a ray can be inside of, and what it is made of.
@@ -140,7 +147,10 @@ struct World {
     std::vector<PointLight> point_lights;
     std::vector<DirectionalLight> directional_lights;  ///< directions are unit vectors
     std::vector<SharedMesh> meshes;
-    std::vector<Medium> eye_inside;  ///< transparent objects around the eye, outermost first
+    std::vector<Medium> eye_inside;     ///< transparent objects around the eye, outermost first
+    std::vector<BodyFace> faces;        ///< of bodies that are made of several objects, but for the first of
+                                        ///< each; ascending primitives
+    std::vector<std::uint32_t> sheets;  ///< transparent objects without an inside, ascending
 };
 
 }  // namespace rt

@@ -228,8 +228,8 @@ void draw_media(const Path& directory) {
             const Vec3 end = o + (r.hit ? r.hit->t : 0.9) * r.branch.ray.direction;
             arrow(svg, place(o), place(end), {.stroke = blue, .width = 2}, 8);
             std::string inside;
-            for (std::uint32_t i = 0; i < r.branch.media.count; ++i)
-                inside += (i > 0 ? ", " : "") + names[r.branch.media.inside[i].object];
+            for (const Medium& medium : r.branch.media)
+                inside += (inside.empty() ? "" : ", ") + names[medium.object];
             const std::size_t step = static_cast<std::size_t>(&r - tree.data());
             const Vec2 at = place(0.5 * (o + end));
             dot_at(svg, at, "#ffffff", 8);

@@ -45,6 +45,13 @@ Surface surface_at(const Sphere& sphere, const Ray& ray, const Hit& hit) {
     surface.point = sphere.center + sphere.radius * n;
     // [/exercise]
 
+    // Given. Where a ball is so small, and so far away, that rounding puts the hit onto its centre, the
+    // vector from there to the hit has no direction. The ball is seen from where the ray comes.
+    if (!(dot(surface.normal, surface.normal) > 0)) {
+        surface.normal = surface.shading_normal = -normalize(ray.direction);
+        surface.point = sphere.center + sphere.radius * surface.normal;
+    }
+
     // How far rounding has moved the point from the sphere, an axis at a time, and what the next ray, which
     // starts here, may get wrong about its distance from the sphere; chapter 6 derives it.
     surface.error = gamma(10) * abs(sphere.radius * surface.normal) + gamma(2) * abs(surface.point);

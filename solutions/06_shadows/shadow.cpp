@@ -47,16 +47,16 @@ Vec3 visibility(const World& world, const ShadowRay& shadow) {
 }
 
 Vec3 colored_visibility(const World& world, const ShadowRay& shadow) {
-    // [exercise 06.4] Start with white. As long as there is a closest hit in the range: multiply by the
-    // transmission of its material (surface_at, then material_at), and go on behind it by raising range.min
-    // to its t. Stop where nothing is hit any more, or when the product is black.
+    // [exercise 06.4] Start with white, and with the closest hit in the range. As long as there is a hit:
+    // multiply by the transmission of its material (surface_at, then material_at), and go on to the
+    // next_hit. Stop where nothing is hit any more, or when the product is black.
     Vec3 part(1);
-    Interval range = shadow.range;
-    while (const std::optional<Hit> hit = closest_hit(world, shadow.ray, range)) {
+    std::optional<Hit> hit = closest_hit(world, shadow.ray, shadow.range);
+    while (hit) {
         const Surface surface = surface_at(world, shadow.ray, *hit);
         part *= material_at(world, *hit, surface).transmission;
         if (part == Vec3(0)) break;
-        range.min = hit->t;
+        hit = next_hit(world, shadow.ray, *hit, shadow.range);
     }
     return part;
     // [/exercise]

@@ -5,48 +5,67 @@
 #include "chapters/07_recursion/optics.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace rt {
 namespace {
 
 [[maybe_unused]] Real ior(const World& world, const Media& media) {
-    return media.count == 0 ? 1 : world.materials[media.inside[media.count - 1].material].ior;
+    const Material* around = material_around(world, media);
+    return around ? around->ior : 1;
 }
 
 /// What is left of light after `distance` in the medium around the ray.
 [[maybe_unused]] Vec3 left_after(const World& world, const Media& media, Real distance) {
-    if (media.count == 0) return Vec3(1);
-    return transmitted(world.materials[media.inside[media.count - 1].material].absorption, distance);
+    const Material* around = material_around(world, media);
+    return around ? transmitted(around->absorption, distance) : Vec3(1);
 }
 
 [[maybe_unused]] Vec3 turned_against(const Vec3& n, const Vec3& d) { return dot(n, d) > 0 ? -n : n; }
 
-/// Appends a ray that leaves the surface, unless nothing worth following would arrive along it.
+/// Which way is out of the flat surface on the side where the ray arrives.
+[[maybe_unused]] Vec3 front_of(const Surface& surface, const Branch& incoming) {
+    return turned_against(surface.normal, incoming.ray.direction);
+}
+
+/// `refract` for a smooth surface, which is made of flat triangles. Near its rim a direction that is right
+/// for the shading normal n may point to the near side of the flat triangle. Light that would enter a body
+/// there does not: as where reflection is total, there is no refracted direction.
+[[maybe_unused]] std::optional<Vec3> refract_at(const Surface& surface, const Branch& incoming, const Vec3& n,
+                                                Real eta, const Media& after) {
+    const std::optional<Vec3> refracted = refract(incoming.ray.direction, n, eta);
+    const bool enters = after.size() > incoming.media.size();
+    if (enters && refracted && dot(*refracted, front_of(surface, incoming)) > 0) return std::nullopt;
+    return refracted;
+}
+
+/// Appends a ray that leaves the surface, unless nothing worth following would arrive along it. A direction
+/// that leaves the flat surface on the wrong side is mirrored at it.
 [[maybe_unused]] void add(const World& world, Branches& branches, const Branch& incoming,
                           const Surface& surface, RayKind kind, const Vec3& direction, const Vec3& factor,
                           const Media& media) {
     const Vec3 weight = incoming.weight * factor;
     if (!(std::max({weight.x, weight.y, weight.z}) > world.min_contribution)) return;
-    const Ray ray{offset_origin(surface, direction), direction, incoming.ray.time};
-    branches.branch[static_cast<std::size_t>(branches.count++)] = {ray, weight, incoming.depth + 1, kind,
-                                                                   media};
+    const Vec3 front = front_of(surface, incoming);
+    const Vec3 side = kind == RayKind::Refraction ? -front : front;
+    const Vec3 leaving = dot(direction, side) < 0 ? reflect(direction, side) : direction;
+    branches.branch[static_cast<std::size_t>(branches.count++)] = {
+        {offset_origin(surface, side), leaving, incoming.ray.time}, weight, incoming.depth + 1, kind, media};
 }
 
 }  // namespace
 
 Media cross(const Media& media, Medium medium) {
-    // [exercise 07.4] If the object is among the first `count` of media.inside, remove it and close the gap;
-    // else append it, if there is room.
+    // [exercise 07.4] If the object is among the media, remove it: the ray leaves it. Else append the medium:
+    // the ray enters it. The order of the others stays.
     Media after = media;
-    const auto begin = after.inside.begin(), end = begin + after.count;
-    const auto same = std::find_if(begin, end, [&](const Medium& m) { return m.object == medium.object; });
-    if (same != end) {
-        std::copy(same + 1, end, same);
-        --after.count;
-    } else if (after.count < after.inside.size()) {
-        after.inside[after.count++] = medium;
-    }
+    const auto same =
+        std::find_if(after.begin(), after.end(), [&](const Medium& m) { return m.object == medium.object; });
+    if (same != after.end())
+        after.erase(same);
+    else
+        after.push_back(medium);
     return after;
     // [/exercise]
 }
@@ -57,7 +76,7 @@ Branches scatter(const World& world, const Branch& incoming, const Hit& hit, con
     // turned against the ray. An opaque material sends one mirror ray with the factor `specular`. A
     // transparent one: eta = ior(before)/ior(after) with `cross`; R = fresnel or schlick as the material
     // says; mirror factor R (specular where it says none), refracted factor (1 − R)·transmission. Where
-    // refract returns nothing, all light is mirrored: factor 1. `add` above keeps the books.
+    // refract_at returns nothing, all light is mirrored: factor 1. `add` above keeps the books.
     Branches branches;
     if (incoming.depth >= world.max_depth) return branches;
     const Vec3& d = incoming.ray.direction;
@@ -77,7 +96,7 @@ Branches scatter(const World& world, const Branch& incoming, const Hit& hit, con
         mirror = Vec3(r);
         through *= 1 - r;
     }
-    const std::optional<Vec3> refracted = refract(d, n, eta);
+    const std::optional<Vec3> refracted = refract_at(surface, incoming, n, eta, after);
     if (!refracted) mirror = Vec3(1);
     add(world, branches, incoming, surface, RayKind::Reflection, reflect(d, n), mirror, incoming.media);
     if (refracted) add(world, branches, incoming, surface, RayKind::Refraction, *refracted, through, after);
@@ -88,7 +107,7 @@ Branches scatter(const World& world, const Branch& incoming, const Hit& hit, con
 Vec3 radiance(const World& world, const Ray& ray) {
     Branch camera;
     camera.ray = ray;
-    for (const Medium& medium : world.eye_inside) camera.media = cross(camera.media, medium);
+    camera.media = world.eye_inside;
     // [exercise 07.6] Keep the rays still to be traced on a stack (a std::vector), at first the camera ray.
     // While there are any: take the last one off. If world.needs.absorption, multiply its weight by what the
     // medium leaves of the light on the way to the hit (`left_after` above; the way is infinite where nothing
@@ -98,7 +117,7 @@ Vec3 radiance(const World& world, const Ray& ray) {
     Vec3 sum(0);
     std::vector<Branch> stack{camera};
     while (!stack.empty()) {
-        Branch branch = stack.back();
+        Branch branch = std::move(stack.back());
         stack.pop_back();
         const std::optional<Hit> hit = closest_hit(world, branch.ray, {0, infinity});
         if (world.needs.absorption) branch.weight *= left_after(world, branch.media, hit ? hit->t : infinity);
@@ -110,11 +129,11 @@ Vec3 radiance(const World& world, const Ray& ray) {
         const Material& material = material_at(world, *hit, surface);
         const Vec3 n = turned_against(surface.shading_normal, branch.ray.direction);
         sum += branch.weight * local_light(world, surface, material, n, -branch.ray.direction);
-        const Branches next = scatter(world, branch, *hit, surface, material);
+        Branches next = scatter(world, branch, *hit, surface, material);
         for (int i = next.count - 1; i >= 0; --i) {
-            const Branch& one = next.branch[static_cast<std::size_t>(i)];
+            Branch& one = next.branch[static_cast<std::size_t>(i)];
             ++(one.kind == RayKind::Reflection ? ray_counts().reflection : ray_counts().refraction);
-            stack.push_back(one);
+            stack.push_back(std::move(one));
         }
     }
     return sum;

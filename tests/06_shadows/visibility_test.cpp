@@ -66,9 +66,22 @@ TEST_CASE("filters without a common colour let nothing through", "[06.4]") {
     CHECK(colored_visibility(world, along_x(10)) == Vec3(0));
 }
 
-TEST_CASE("of surfaces in exactly the same place one counts", "[06.4]") {
-    const Plane wall{{2, 0, 0}, {1, 0, 0}};
-    CHECK(colored_visibility(world_of({{wall, Vec3(0.5)}, {wall, Vec3(0.25)}}), along_x(10)) == Vec3(0.5));
+TEST_CASE("of sheets in exactly the same place each counts, in whatever order the file has them", "[06.4]") {
+    const Plane wall{{2, 0, 0}, {1, 0, 0}}, farther{{3, 0, 0}, {1, 0, 0}};
+    const Thing half{wall, Vec3(0.5)}, quarter{wall, Vec3(0.25)}, opaque{wall, Vec3(0)};
+    const Thing behind{farther, {1, 0.5, 1}};
+    CHECK(colored_visibility(world_of({half, quarter}), along_x(10)) == Vec3(0.125));
+    CHECK(colored_visibility(world_of({half, half, half}), along_x(10)) == Vec3(0.125));
+    CHECK(colored_visibility(world_of({half, behind, quarter}), along_x(10)) == Vec3(0.125, 0.0625, 0.125));
+    CHECK(colored_visibility(world_of({half, opaque}), along_x(10)) == Vec3(0));
+    CHECK(colored_visibility(world_of({opaque, half}), along_x(10)) == Vec3(0));
+    CHECK(colored_visibility(world_of({half, quarter}), along_x(2)) == Vec3(0.125));
+    CHECK(colored_visibility(world_of({half, quarter}), along_x(1.5)) == Vec3(1));
+}
+
+TEST_CASE("two balls in the same place filter on both sides", "[06.4]") {
+    const World world = world_of({ball_at(5, {0.5, 1, 0.5}), ball_at(5, {0.5, 0.25, 1})});
+    CHECK(colored_visibility(world, along_x(10)) == Vec3(0.0625, 0.0625, 0.25));
 }
 
 TEST_CASE("where all is opaque, coloured shadows are shadows", "[06.4]") {

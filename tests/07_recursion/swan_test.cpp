@@ -45,7 +45,7 @@ TEST_CASE("what has left the swan is outside of it, and blue is what ice leaves 
         for (int x = 0; x < scene.width; ++x) {
             for (const TraceRecord& record : trace_tree(world, pixel_ray(world.view, x + 0.5, y + 0.5))) {
                 // Only the swan's inner side can be met from inside, and the sky only from outside.
-                const bool inside = record.branch.media.count > 0;
+                const bool inside = !record.branch.media.empty();
                 const bool at_swan = record.hit && world.materials[record.material].transmission != Vec3(0);
                 INFO("pixel " << x << " " << y << ", depth " << record.branch.depth);
                 if (inside && !at_swan) FAIL("a ray leaked out of the ice");

@@ -249,10 +249,8 @@ TEST_CASE("a singular transform is an error with the place of the step that made
     const std::string flat = "rotate 0 0 1 45\nscale 1 1e-20 1\nrotate 0 0 1 30\nsphere 0 0 0 1\n";
     CHECK(refusal(flat) ==
           "small.scene:6:1: the transform in force after this step is singular: it has no inverse");
-    CHECK(refusal("scale 1e-200 1e-200 1e-200\nscale 1e-200 1e-200 1e-200\n" + square_mesh()) ==
-          "small.scene:5:1: the transform in force after this step is singular: it has no inverse");
     CHECK(refusal("scale 1e-20 1e-20 1e-20\nsphere 0 0 0 1\n").empty());
-    CHECK(refusal("rotate 0 0 1 45\nscale 1 1e-15 1e15\nsphere 0 0 0 1\n").empty());
+    CHECK(refusal("rotate 0 0 1 45\nscale 1 1e-15 1e15\n" + square_mesh()).empty());
     // Nothing stands under it.
     CHECK(refusal("pushTransform\n" + flat.substr(0, flat.find("sphere")) + "popTransform\nsphere 0 0 0 1\n")
               .empty());

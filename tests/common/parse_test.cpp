@@ -483,11 +483,11 @@ TEST_CASE("a scene without a camera is wrong at its last line") {
 }
 
 TEST_CASE("an upright camera is accepted however large or small its numbers") {
-    CHECK(error_of("camera 1e308 0 0 -1e308 0 0 0 1 0 45") == "");
+    CHECK(error_of("camera 1e30 0 0 -1e30 0 0 0 1e308 0 45") == "");
     CHECK(error_of("camera 1e-320 0 0 0 0 0 0 1e-320 0 45") == "");
     CHECK(error_of("camera 0 0 5 0 0 0 0 1e-9 1 45") == "");
     CHECK(error_of("camera 0 0 5e-324 0 0 0 0 0 1 45") != "");
-    CHECK(error_of("camera 1e308 0 0 -1e308 0 0 1 0 0 45") != "");
+    CHECK(error_of("camera 1e30 0 0 -1e30 0 0 1 0 0 45") != "");
 }
 
 TEST_CASE("what is no text is refused with its place") {
