@@ -48,7 +48,8 @@ std::size_t bytes(const Polygons& group) {
 }
 std::size_t bytes(const World& world) {
     std::size_t sum = bytes(world.primitives) + bytes(world.materials) + bytes(world.patterns) +
-                      bytes(world.point_lights) + bytes(world.directional_lights);
+                      bytes(world.point_lights) + bytes(world.directional_lights) + bytes(world.faces) +
+                      bytes(world.sheets);
     for (const AnyGroup& any : world.groups)
         sum += std::visit(
             []<class Kind>(const Kind& group) {

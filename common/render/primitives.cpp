@@ -210,7 +210,7 @@ struct Builder {
             check_place(corner);
             low = glm::min(low, corner), high = glm::max(high, corner);
         }
-        if (low != high) check_size("faces", size_of(high - low));
+        if (low != high) check_size("faces", std::min(size_of(high - low), largest_number));
     }
 
     /// A ball that is too flat, or too far away in a parallel projection, would be drawn wrong by rounding.

@@ -247,11 +247,11 @@ TEST_CASE("a mesh out of range is refused where it is shown", "[range]") {
 TEST_CASE("what is in range, but only just, is drawn", "[range]") {
     const std::string head = "camera 0 0 5 0 0 0 0 1 0 40\n";
     for (const char* commands :
-         {"sphere 0 0 0 1e30\n", "sphere 0 0 0 1e-30\n", "sphere 1e30 0 0 1\n",
-          "scale 1 1 1e-10\nsphere 0 0 0 1\n", "scale 1e10 1e10 1\nsphere 0 0 0 1\n",
-          "vertex 1e-300 0 0\nvertex 1 0 0\nvertex 0 1 0\ntri 0 1 2\n", "vertex 1 1 1\ntri 0 0 0\n",
-          "orthographic 3\nsphere 0 0 -1e15 1e-5\n", "maxdepth 40\nspecular 2 2 2\nsphere 0 0 0 1\n",
-          "plane 0 0 0 0 1 1e-300\n"}) {
+         {"sphere 0 0 0 1e30\n", "vertex -1e30 0 0\nvertex 1e30 0 0\nvertex 0 1e30 0\ntri 0 1 2\n",
+          "sphere 0 0 0 1e-30\n", "sphere 1e30 0 0 1\n", "scale 1 1 1e-10\nsphere 0 0 0 1\n",
+          "scale 1e10 1e10 1\nsphere 0 0 0 1\n", "vertex 1e-300 0 0\nvertex 1 0 0\nvertex 0 1 0\ntri 0 1 2\n",
+          "vertex 1 1 1\ntri 0 0 0\n", "orthographic 3\nsphere 0 0 -1e15 1e-5\n",
+          "maxdepth 40\nspecular 2 2 2\nsphere 0 0 0 1\n", "plane 0 0 0 0 1 1e-300\n"}) {
         INFO(commands);
         CHECK(refusal(head + commands) == "nothing is wrong");
     }
