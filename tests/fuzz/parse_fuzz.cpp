@@ -1,17 +1,12 @@
 // The scene and mesh parsers under libFuzzer: whatever the bytes, out comes a scene or an InputError of one
 // line. README.md beside this file says how to build and run it.
-#include "common/math/input_error.hpp"
 #include "common/scene/mesh_file.hpp"
 #include "common/scene/parse.hpp"
-
-#include <cstdlib>
-#include <string_view>
+#include "tests/fuzz/must.hpp"
 
 namespace {
 
-void require(bool holds) {
-    if (!holds) std::abort();
-}
+using rt::fuzz::require;
 
 /// What every scene promises to those who read it.
 void check_scene(const rt::Scene& scene) {
@@ -42,27 +37,16 @@ void check_mesh(const rt::Mesh& mesh) {
         }
 }
 
-/// Runs `read`; an InputError must be one line that begins with the file's name.
-template <class Read>
-void must_read_or_refuse(Read read) {
-    try {
-        read();
-    } catch (const rt::InputError& error) {
-        const std::string_view line = error.what();
-        require(line.starts_with("fuzz:") && line.find('\n') == std::string_view::npos);
-    }
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     for (const bool lenient : {false, true})
-        must_read_or_refuse([&] {
+        rt::fuzz::must_read_or_refuse([&] {
             std::vector<std::string> warnings;
             check_scene(rt::parse_scene_text(text, "fuzz", {},
                                              {.lenient = lenient, .meshes = false, .warnings = &warnings}));
         });
-    must_read_or_refuse([&] { check_mesh(rt::parse_mesh(text, "fuzz")); });
+    rt::fuzz::must_read_or_refuse([&] { check_mesh(rt::parse_mesh(text, "fuzz")); });
     return 0;
 }
