@@ -27,8 +27,26 @@ Vec2 project(const Vec3& point, int axis);
 /// share an edge and lie on its two sides never both contain a point, nor both leave it out.
 bool point_in_polygon(std::span<const Vec2> polygon, const Vec2& point);
 
-/// [03.2] Hit of the ray with the polygon in (range.min, range.max], or nothing. Both sides count; a
-/// polygon without area is missed.
+/// The supporting plane; where the polygon is so thin that rounding might have tilted it, the normal is that
+/// of exact arithmetic, and as long as it happens to be. Zero for a polygon without area, exactly. Given.
+Plane plane_of(std::span<const Vec3> vertices);
+
+/// Where the ray meets that plane, in (range.min, range.max]; nothing where it is parallel to it, or the
+/// polygon has no area. The t of a ray that grazes vertices beside their plane is moved into the box around
+/// them. Given.
+std::optional<Hit> hit_plane(const Polygon& polygon, const Ray& ray, Interval range);
+
+/// Whether rounding may decide if (0, 0) is inside the outline: where a corner is not surely higher or lower,
+/// or an edge not surely to the left or right. `size` bounds the coordinates, which are off by less than 8u ·
+/// size. Given.
+bool is_close(std::span<const Vec2> outline, Real size);
+
+/// [03.7] Hit of the ray with the polygon in (range.min, range.max], or nothing. Both sides count; a polygon
+/// without area is missed.
+///
+/// `t` is that of `hit_plane`. Whether the ray passes inside is decided exactly, by the even-odd rule, on
+/// what the ray sees of the vertices as they are given: polygons that share an edge, and are seen on its two
+/// sides, are never both hit there, nor both missed.
 std::optional<Hit> intersect(const Polygon& polygon, const Ray& ray, Interval range);
 
 /// The surface at a hit; both normals are that of the plane. Given.

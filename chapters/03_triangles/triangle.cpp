@@ -2,9 +2,13 @@
 #include "chapters/03_triangles/triangle.hpp"
 
 #include "common/math/error.hpp"
+#include "common/math/exact.hpp"
 #include "common/math/todo.hpp"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rt {
@@ -18,10 +22,12 @@ Vec3 unit_vector(const Vec3& v) {
 }
 
 Vec3 unit_normal(const Triangle& triangle) {
-    // 03.3  The unit normal: the cross product of the edges from a to b and from a to c.
-    // Make the edges unit vectors before you multiply them (unit_vector is given): their product then
-    // neither overflows nor underflows, and its length is the sine of the angle between them. If that is at
-    // most 8 · unit_roundoff, rounding alone may have made it: return zero, the sign of "no area".
+    // 03.3  The unit normal: the cross product of two edges. The products at the three corners,
+    // ab × bc, bc × ca and ca × ab, are all the same but for rounding, and best is the one at the corner with
+    // the greatest angle, which lies opposite to the longest edge. Make the edges unit vectors before you
+    // multiply them (unit_vector is given): their product then neither overflows nor underflows, and its
+    // length is the sine of the angle between them. Where that is at most ¼, rounding weighs too much: return
+    // the unit vector of exact_normal, which is given and slow.
     return todo("03.3");
 }
 
@@ -41,19 +47,34 @@ Real edge_function(const Vec2& p, const Vec2& q) {
 
 ShearedRay shear(const Ray& ray) {
     // 03.4  Let z be the axis in which |direction| is greatest, x and y the next two in cyclic
-    // order. The map has the rows x − (d.x/d.z)·z, y − (d.y/d.z)·z and z; a matrix of GLM is indexed
-    // m[column][row], and a column says what becomes of one coordinate of the world.
+    // order, and divide the direction's x and y by its z.
     return todo("03.4");
+}
+
+Vec3 seen(const ShearedRay& ray, const Vec3& point) {
+    // 03.4  Subtract the ray's origin from the point, coordinate by coordinate: x, y and z are
+    // those with the numbers ray.x, ray.y and ray.z. Then shear: x − slope.x·z, y − slope.y·z and z.
+    return todo("03.4");
+}
+
+std::optional<Hit> intersect_exactly(const Triangle& triangle, const Ray& ray, Interval range) {
+    const std::optional<Crossing> crossing = exact_crossing(triangle.a, triangle.b, triangle.c, ray);
+    if (!crossing || !contains(range, crossing->t)) return std::nullopt;
+    return Hit{.t = crossing->t, .uv = crossing->weights};
 }
 
 std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, Interval range) {
     // 03.4  The watertight test.
-    //   1. Subtract the ray's origin from each corner and map it: its x and y are now its place as the ray
-    //      sees it, with the ray at (0, 0).
-    //   2. The edge functions of (c, b), (a, c) and (b, a) are the weights u, v, w of a, b, c, still to be
-    //      divided by their sum. Two different signs: a miss. All three zero: edge-on, a miss.
-    //   3. The weighted mean of the corners' z, over the direction's z, is t. Is it in the range?
-    //   4. A triangle without area (unit_normal) is missed, even where rounding made one up.
+    //   1. See the corners along the ray, which is now at x = y = 0. Let `size` be the greatest |x| or |y| of
+    //      the three, plus the greatest |z|: all errors grow with it. Where its square might overflow or
+    //      underflow (outside of 1e-140 to 1e140), leave it to intersect_exactly, which is given.
+    //   2. The places are off by less than 8u · size. Are all three x, or all three y, on the same side of 0
+    //      and further away than that? A miss.
+    //   3. The cross products p.x·q.y − p.y·q.x of (c, b), (a, c) and (b, a) tell on which side of each edge
+    //      the ray passes; they are off by less than 128u · size². One surely negative and one surely
+    //      positive: a miss. Else, if one of them may be 0, let intersect_exactly decide.
+    //   4. Here the ray hits. The edge functions are the weights u, v, w of a, b, c, still to be divided by
+    //      their sum; the weighted mean of the corners' z, over the direction's z, is t. Is it in the range?
     return todo("03.4");
 }
 

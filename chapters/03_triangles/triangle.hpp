@@ -14,9 +14,9 @@ namespace rt {
 Vec3 unit_vector(const Vec3& v);
 
 /// [03.3] The unit normal, (b − a) × (c − a) normalised: corners in counterclockwise order are seen from the
-/// side it points to. Edges of any length: they are made unit vectors before they are multiplied. Zero for a
-/// triangle without area, which is one where the sine of the angle at a is at most 8u: rounding leaves that
-/// much of parallel edges.
+/// side it points to. Edges of any length; within 128u of the exact direction for any shape, needles and
+/// slivers too, and whichever corner comes first. Zero for a triangle without area, which is one whose
+/// corners lie exactly on one line.
 Vec3 unit_normal(const Triangle& triangle);
 
 /// [03.3] Weights (a, b, c) with a + b + c = 1 that make `point`, a point of the triangle's plane, the
@@ -32,23 +32,30 @@ Real edge_function(const Vec2& p, const Vec2& q);
 
 /// All that the watertight test needs of a ray.
 struct ShearedRay {
-    Vec3 origin{0};
-    /// Renames the coordinates, so that the direction's greatest one becomes z, and shears the others so that
-    /// the direction's x and y become 0: to this map the ray is the z axis.
-    Mat3 to_z_axis{1};
-    Real direction_z = 1;  ///< the direction's greatest coordinate, with its sign
+    Ray ray;
+    int x = 0, y = 1, z = 2;  ///< the axes, renamed in cyclic order so that the direction's greatest one is z
+    Vec2 slope{0};            ///< the direction's x and y over its z: how fast it drifts aside; at most 1
 };
 
 /// [03.4] The ray for the watertight test: worked out once a ray, not once a triangle.
 ShearedRay shear(const Ray& ray);
 
+/// [03.4] The point as the ray sees it: measured from the ray's origin, its coordinates renamed, and sheared
+/// so that the ray itself is the z axis: (x − slope.x·z, y − slope.y·z, z).
+Vec3 seen(const ShearedRay& ray, const Vec3& point);
+
 /// [03.4] Hit of the ray with the triangle in (range.min, range.max], or nothing; both sides count.
 ///
-/// Watertight: a ray that passes between two triangles that share an edge hits at least one of them
-/// (Woop, Benthin & Wald 2013). A point on an edge or corner is hit; a triangle seen edge-on, or without
-/// area (`unit_normal` zero), is missed. `Hit::uv` are the weights of b and c. `t` is in units of
-/// |ray.direction|.
+/// Whether the ray's line passes through the triangle is decided exactly, on the numbers as they are given,
+/// by the signs of the three volumes that the direction spans with the edges: a filter (Woop, Benthin & Wald
+/// 2013, with an error bound) and, where it cannot tell, exact arithmetic. So edges and corners are hit,
+/// triangles that share an edge leave no gap, and the order of the corners changes nothing. A triangle seen
+/// edge-on, or without area (`unit_normal` zero), is missed. `Hit::uv` are the weights of b and c. `t` is in
+/// units of |ray.direction|; for its error see tests/stability/triangles.hpp.
 std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, Interval range);
+
+/// The hit by exact arithmetic alone, as slow as it is sure: a microsecond or two. Given.
+std::optional<Hit> intersect_exactly(const Triangle& triangle, const Ray& ray, Interval range);
 
 /// The same for a ray that is not sheared yet. Given.
 std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval range);

@@ -1,7 +1,6 @@
 // Axis-aligned boxes: around shapes, and where a ray runs through one.
 #include "chapters/09_grids/bounds.hpp"
 
-#include "chapters/03_triangles/polygon.hpp"
 #include "chapters/04_transforms/transform.hpp"
 #include "common/math/error.hpp"
 #include "common/math/todo.hpp"
@@ -37,17 +36,8 @@ Bounds bounds_of(const Triangle& triangle) {
 }
 
 Bounds bounds_of(const Polygon& polygon) {
-    const Plane plane = supporting_plane(polygon.vertices);
-    const int axis = dominant_axis(plane.normal);
     Bounds bounds;
-    for (const Vec3& vertex : polygon.vertices) {
-        bounds = merge(bounds, {vertex, vertex});
-        if (plane.normal[axis] == 0) continue;
-        // Rays hit the plane, and are then seen from along the axis: this is the vertex that they find.
-        Vec3 found = vertex;
-        found[axis] += dot(plane.normal, plane.point - vertex) / plane.normal[axis];
-        bounds = merge(bounds, {found, found});
-    }
+    for (const Vec3& vertex : polygon.vertices) bounds = merge(bounds, {vertex, vertex});
     return bounds;
 }
 

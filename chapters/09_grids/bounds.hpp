@@ -13,7 +13,7 @@ namespace rt {
 Bounds bounds_of(const Sphere& sphere);
 /// [09.1] The same.
 Bounds bounds_of(const Triangle& triangle);
-/// The same, also around the plane of a polygon that is flat only up to rounding. Given.
+/// The box around the vertices, where all hits are. Given.
 Bounds bounds_of(const Polygon& polygon);
 /// [09.1] The same: along each axis the unit sphere's image reaches as far from its centre as the matching
 /// row of the matrix is long.

@@ -2,10 +2,14 @@
 // Usage: figures_03 DIRECTORY
 #include "references/figures.hpp"
 #include "chapters/01_ray_casting/camera.hpp"
+#include "chapters/01_ray_casting/plane.hpp"
+#include "chapters/03_triangles/polygon.hpp"
 #include "chapters/03_triangles/triangle.hpp"
+#include "common/math/exact.hpp"
 #include "common/render/scan_convert.hpp"
 #include "references/03_triangles/knot.hpp"
 #include "tests/stability/naive.hpp"
+#include "tests/stability/triangles.hpp"
 
 #include <fmt/format.h>
 
@@ -339,6 +343,80 @@ std::string profile() {
     return csv;
 }
 
+// -------------------------------------------------------------------------------- what the filter is good
+// for
+
+/// The watertight test that believes every sign, as Woop, Benthin and Wald have it.
+std::optional<Hit> without_filter(const stability::TriangleCase& item) {
+    const ShearedRay ray = shear(item.ray);
+    const auto& [triangle, unused] = item;
+    const Vec3 a = seen(ray, triangle.a), b = seen(ray, triangle.b), c = seen(ray, triangle.c);
+    const Real u = edge_function(Vec2(c), Vec2(b)), v = edge_function(Vec2(a), Vec2(c)),
+               w = edge_function(Vec2(b), Vec2(a));
+    if (std::min({u, v, w}) < 0 && std::max({u, v, w}) > 0) return std::nullopt;
+    const Real sum = u + v + w;
+    if (sum == 0) return std::nullopt;
+    const Real t = (u * a.z + v * b.z + w * c.z) / sum / item.ray.direction[ray.z];
+    if (!contains({}, t)) return std::nullopt;
+    return Hit{.t = t, .uv = {v / sum, w / sum}};
+}
+
+/// How many of the tiles contain the point where the ray meets their plane.
+std::size_t tiles_around_point(const stability::TilesCase& item) {
+    std::size_t count = 0;
+    for (const Polygon& tile : item.tiles) {
+        const Plane plane = supporting_plane(tile.vertices);
+        const int axis = dominant_axis(plane.normal);
+        std::vector<Vec2> outline;
+        for (const Vec3& vertex : tile.vertices) outline.push_back(project(vertex, axis));
+        const std::optional<Hit> hit = intersect(plane, item.ray, {});
+        count += hit && point_in_polygon(outline, project(point_at(item.ray, hit->t), axis));
+    }
+    return count;
+}
+
+/// Wrong decisions, without filter and fallback and with them.
+std::string decisions() {
+    constexpr std::size_t count = 100'000;
+    std::string csv = "cases,count,wrong_without,wrong\n";
+    for (const stability::TriangleFamily& family : stability::triangle_families()) {
+        const auto cases = family.make(count, 3);
+        std::vector<std::optional<Hit>> plain, exact;
+        for (const stability::TriangleCase& item : cases) {
+            plain.push_back(without_filter(item));
+            exact.push_back(intersect(item.triangle, item.ray, {}));
+        }
+        csv += fmt::format("\"{}\",{},{},{}\n", family.name, count, judge(cases, plain).mismatches,
+                           judge(cases, exact).mismatches);
+    }
+    const auto cases = stability::tiles_cases(count, 3);
+    std::vector<std::size_t> plain, exact;
+    for (const stability::TilesCase& item : cases) {
+        plain.push_back(tiles_around_point(item));
+        exact.push_back(0);
+        for (const Polygon& tile : item.tiles) exact.back() += intersect(tile, item.ray, {}).has_value();
+    }
+    return csv + fmt::format("\"seams of tiles\",{},{},{}\n", count, judge(cases, plain).mismatches,
+                             judge(cases, exact).mismatches);
+}
+
+/// How far the normal of 10,000 needles is off at most, in radians: the product of the unit edges from the
+/// tip, from a blunt corner, and the chapter's.
+std::string normals_of_needles() {
+    Real tip = 0, blunt = 0, chapter = 0;
+    for (const stability::TriangleCase& item : stability::triangle_families()[5].make(10'000, 3)) {
+        const auto& [a, b, c] = item.triangle;
+        const Vec3 right = unit_vector(exact_normal(std::array{a, b, c}));
+        const Vec3 from_a = unit_vector(cross(unit_vector(b - a), unit_vector(c - a)));
+        const bool a_is_tip = length(b - c) < std::min(length(a - b), length(a - c));
+        Real& worst = a_is_tip ? tip : blunt;
+        worst = std::max(worst, length(from_a - right));
+        chapter = std::max(chapter, length(unit_normal(item.triangle) - right));
+    }
+    return fmt::format("from_the_tip,from_a_blunt_corner,chapter\n{:.2g},{:.2g},{:.2g}\n", tip, blunt,
+                       chapter);
+}
+
 void draw_all(const figures::Path& out) {
     write_svg(out / "inside_tests.svg", inside_tests());
     write_svg(out / "shear.svg", shear_figure());
@@ -352,6 +430,9 @@ void draw_all(const figures::Path& out) {
                fmt::format("test,rays,escaped\nMöller–Trumbore,{0},{1}\nwatertight,{0},{2}\n", rays,
                            escaped(naive::intersect, mesh, triangles, rays),
                            escaped(rt::intersect, mesh, triangles, rays)));
+
+    write_file(out / "decisions.csv", decisions());
+    write_file(out / "normals_of_needles.csv", normals_of_needles());
 
     figures::draw_scenes(out, __FILE__, {"flat", "smooth", "polygon", "mixed", "uv"});
     write_file(out / "measured_scan_conversion.csv", scan_conversion());

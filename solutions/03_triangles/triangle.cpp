@@ -2,8 +2,12 @@
 #include "chapters/03_triangles/triangle.hpp"
 
 #include "common/math/error.hpp"
+#include "common/math/exact.hpp"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rt {
@@ -17,16 +21,26 @@ Vec3 unit_vector(const Vec3& v) {
 }
 
 Vec3 unit_normal(const Triangle& triangle) {
-    // [exercise 03.3] The unit normal: the cross product of the edges from a to b and from a to c.
-    // Make the edges unit vectors before you multiply them (unit_vector is given): their product then
-    // neither overflows nor underflows, and its length is the sine of the angle between them. If that is at
-    // most 8 · unit_roundoff, rounding alone may have made it: return zero, the sign of "no area".
-    const Vec3 to_b = unit_vector(triangle.b - triangle.a);
-    const Vec3 to_c = unit_vector(triangle.c - triangle.a);
-    const Vec3 product = glm::cross(to_b, to_c);
-    // Each edge is off by 3 roundings a coordinate, the product by less than 2 more: 8 covers parallel edges.
-    const Real sine = glm::length(product);
-    return sine > 8 * unit_roundoff ? product / sine : Vec3(0);
+    // [exercise 03.3] The unit normal: the cross product of two edges. The products at the three corners,
+    // ab × bc, bc × ca and ca × ab, are all the same but for rounding, and best is the one at the corner with
+    // the greatest angle, which lies opposite to the longest edge. Make the edges unit vectors before you
+    // multiply them (unit_vector is given): their product then neither overflows nor underflows, and its
+    // length is the sine of the angle between them. Where that is at most ¼, rounding weighs too much: return
+    // the unit vector of exact_normal, which is given and slow.
+    const Vec3 ab = triangle.b - triangle.a;
+    const Vec3 bc = triangle.c - triangle.b;
+    const Vec3 ca = triangle.a - triangle.c;
+    const Vec3 lengths(length(ab), length(bc), length(ca));
+    Vec3 product;
+    if (lengths.x >= lengths.y && lengths.x >= lengths.z)
+        product = cross(unit_vector(bc), unit_vector(ca));
+    else if (lengths.y >= lengths.z)
+        product = cross(unit_vector(ca), unit_vector(ab));
+    else
+        product = cross(unit_vector(ab), unit_vector(bc));
+    const Real sine = length(product);
+    if (sine > 0.25) return product / sine;
+    return unit_vector(exact_normal(std::array{triangle.a, triangle.b, triangle.c}));
     // [/exercise]
 }
 
@@ -59,47 +73,71 @@ Real edge_function(const Vec2& p, const Vec2& q) {
 
 ShearedRay shear(const Ray& ray) {
     // [exercise 03.4] Let z be the axis in which |direction| is greatest, x and y the next two in cyclic
-    // order. The map has the rows x − (d.x/d.z)·z, y − (d.y/d.z)·z and z; a matrix of GLM is indexed
-    // m[column][row], and a column says what becomes of one coordinate of the world.
-    const Vec3 d = ray.direction;
-    const Vec3 size = glm::abs(d);
+    // order, and divide the direction's x and y by its z.
+    const Vec3& d = ray.direction;
+    const Vec3 size = abs(d);
     const int z = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const int x = (z + 1) % 3;
     const int y = (z + 2) % 3;
-    ShearedRay sheared{ray.origin, Mat3(0), d[z]};
-    sheared.to_z_axis[x] = {1, 0, 0};
-    sheared.to_z_axis[y] = {0, 1, 0};
-    sheared.to_z_axis[z] = {-d[x] / d[z], -d[y] / d[z], 1};
-    return sheared;
+    return {ray, x, y, z, {d[x] / d[z], d[y] / d[z]}};
     // [/exercise]
+}
+
+Vec3 seen(const ShearedRay& ray, const Vec3& point) {
+    // [exercise 03.4] Subtract the ray's origin from the point, coordinate by coordinate: x, y and z are
+    // those with the numbers ray.x, ray.y and ray.z. Then shear: x − slope.x·z, y − slope.y·z and z.
+    const Real* p = glm::value_ptr(point);  // faster than point[ray.x] where the compiler can't know ray.x
+    const Real* o = glm::value_ptr(ray.ray.origin);
+    const Real z = p[ray.z] - o[ray.z];
+    return {p[ray.x] - o[ray.x] - ray.slope.x * z, p[ray.y] - o[ray.y] - ray.slope.y * z, z};
+    // [/exercise]
+}
+
+std::optional<Hit> intersect_exactly(const Triangle& triangle, const Ray& ray, Interval range) {
+    const std::optional<Crossing> crossing = exact_crossing(triangle.a, triangle.b, triangle.c, ray);
+    if (!crossing || !contains(range, crossing->t)) return std::nullopt;
+    return Hit{.t = crossing->t, .uv = crossing->weights};
 }
 
 std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, Interval range) {
     // [exercise 03.4] The watertight test.
-    //   1. Subtract the ray's origin from each corner and map it: its x and y are now its place as the ray
-    //      sees it, with the ray at (0, 0).
-    //   2. The edge functions of (c, b), (a, c) and (b, a) are the weights u, v, w of a, b, c, still to be
-    //      divided by their sum. Two different signs: a miss. All three zero: edge-on, a miss.
-    //   3. The weighted mean of the corners' z, over the direction's z, is t. Is it in the range?
-    //   4. A triangle without area (unit_normal) is missed, even where rounding made one up.
-    const Vec3 a = ray.to_z_axis * (triangle.a - ray.origin);
-    const Vec3 b = ray.to_z_axis * (triangle.b - ray.origin);
-    const Vec3 c = ray.to_z_axis * (triangle.c - ray.origin);
+    //   1. See the corners along the ray, which is now at x = y = 0. Let `size` be the greatest |x| or |y| of
+    //      the three, plus the greatest |z|: all errors grow with it. Where its square might overflow or
+    //      underflow (outside of 1e-140 to 1e140), leave it to intersect_exactly, which is given.
+    //   2. The places are off by less than 8u · size. Are all three x, or all three y, on the same side of 0
+    //      and further away than that? A miss.
+    //   3. The cross products p.x·q.y − p.y·q.x of (c, b), (a, c) and (b, a) tell on which side of each edge
+    //      the ray passes; they are off by less than 128u · size². One surely negative and one surely
+    //      positive: a miss. Else, if one of them may be 0, let intersect_exactly decide.
+    //   4. Here the ray hits. The edge functions are the weights u, v, w of a, b, c, still to be divided by
+    //      their sum; the weighted mean of the corners' z, over the direction's z, is t. Is it in the range?
+    const Vec3 a = seen(ray, triangle.a);
+    const Vec3 b = seen(ray, triangle.b);
+    const Vec3 c = seen(ray, triangle.c);
+    const Vec3 low = min(min(a, b), c);
+    const Vec3 high = max(max(a, b), c);
+    const Vec3 reach = max(high, -low);
+    const Real size = std::max(reach.x, reach.y) + reach.z;
+    if (!(size > 1e-140 && size < 1e140)) return intersect_exactly(triangle, ray.ray, range);
 
     // Most triangles lie wholly beside the ray: nothing more is computed for those.
-    if ((a.x > 0 && b.x > 0 && c.x > 0) || (a.x < 0 && b.x < 0 && c.x < 0)) return std::nullopt;
-    if ((a.y > 0 && b.y > 0 && c.y > 0) || (a.y < 0 && b.y < 0 && c.y < 0)) return std::nullopt;
+    const Real near = 8 * unit_roundoff * size;
+    if (low.x > near || high.x < -near || low.y > near || high.y < -near) return std::nullopt;
+
+    const auto turn = [](const Vec3& p, const Vec3& q) { return p.x * q.y - p.y * q.x; };
+    const Real turn_a = turn(c, b), turn_b = turn(a, c), turn_c = turn(b, a);
+    const Real bound = 128 * unit_roundoff * size * size;
+    if (std::min({turn_a, turn_b, turn_c}) < -bound && std::max({turn_a, turn_b, turn_c}) > bound)
+        return std::nullopt;
+    const Real least = std::min({std::abs(turn_a), std::abs(turn_b), std::abs(turn_c)});
+    if (!(least > bound)) return intersect_exactly(triangle, ray.ray, range);
 
     const Real u = edge_function(Vec2(c), Vec2(b));
     const Real v = edge_function(Vec2(a), Vec2(c));
     const Real w = edge_function(Vec2(b), Vec2(a));
-    if (std::min({u, v, w}) < 0 && std::max({u, v, w}) > 0) return std::nullopt;
     const Real sum = u + v + w;
-    if (sum == 0) return std::nullopt;
-
-    const Real t = (u * a.z + v * b.z + w * c.z) / sum / ray.direction_z;
+    const Real t = (u * a.z + v * b.z + w * c.z) / sum / ray.ray.direction[ray.z];
     if (!contains(range, t)) return std::nullopt;
-    if (unit_normal(triangle) == Vec3(0)) return std::nullopt;
     return Hit{.t = t, .uv = {v / sum, w / sum}};
     // [/exercise]
 }

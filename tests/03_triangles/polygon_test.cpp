@@ -216,7 +216,7 @@ TEST_CASE("points on the common edge have one owner also where rounding decides"
     }
 }
 
-TEST_CASE("a ray hits a square where it is", "[03.2]") {
+TEST_CASE("a ray hits a square where it is", "[03.7]") {
     const Polygon square{unit_square};
     const auto hit = intersect(square, Ray{{0.25, 0.5, 3}, {0, 0, -1}}, Interval{});
     REQUIRE(hit);
@@ -224,14 +224,14 @@ TEST_CASE("a ray hits a square where it is", "[03.2]") {
     CHECK_FALSE(intersect(square, Ray{{1.25, 0.5, 3}, {0, 0, -1}}, Interval{}));
 }
 
-TEST_CASE("a polygon is hit from both sides, and t counts lengths of the direction", "[03.2]") {
+TEST_CASE("a polygon is hit from both sides, and t counts lengths of the direction", "[03.7]") {
     const Polygon square{unit_square};
     const auto hit = intersect(square, Ray{{0.25, 0.5, -3}, {0, 0, 4}}, Interval{});
     REQUIRE(hit);
     CHECK(hit->t == 0.75);
 }
 
-TEST_CASE("a polygon behind the ray or out of its range is missed", "[03.2]") {
+TEST_CASE("a polygon behind the ray or out of its range is missed", "[03.7]") {
     const Polygon square{unit_square};
     const Ray ray{{0.25, 0.5, 3}, {0, 0, -1}};
     CHECK_FALSE(intersect(square, Ray{{0.25, 0.5, 3}, {0, 0, 1}}, Interval{}));
@@ -240,12 +240,32 @@ TEST_CASE("a polygon behind the ray or out of its range is missed", "[03.2]") {
     CHECK_FALSE(intersect(square, ray, {0, 2.5}));
 }
 
-TEST_CASE("a polygon without area is missed", "[03.2]") {
+TEST_CASE("a polygon without area is missed", "[03.7]") {
     const Polygon line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}};
     CHECK_FALSE(intersect(line, Ray{{1, 0, 3}, {0, 0, -1}}, Interval{}));
 }
 
-TEST_CASE("a star standing across each axis is hit in its points and missed in its notches", "[03.2]") {
+TEST_CASE("a ray at the edge or corner that squares share hits exactly one of them", "[03.7]") {
+    const auto square = [](Real x, Real y) {
+        return Polygon{{{x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0}}};
+    };
+    const std::vector<Polygon> tiles = {square(0, 0), square(1, 0), square(0, 1), square(1, 1)};
+    const auto hits = [&](const Vec3& origin, const Vec3& target) {
+        int count = 0;
+        for (const Polygon& tile : tiles)
+            count += intersect(tile, Ray{origin, target - origin}, Interval{}).has_value();
+        return count;
+    };
+    for (const Vec3& target :
+         {Vec3(1, 0.5, 0), Vec3(1, 1.25, 0), Vec3(0.5, 1, 0), Vec3(1.75, 1, 0), Vec3(1, 1, 0)}) {
+        INFO("ray at " << show(target));
+        CHECK(hits(target + Vec3(0, 0, 3), target) == 1);
+        CHECK(hits({0.1, 0.7, 0.3}, target) == 1);
+        CHECK(hits({-5, 2, -0.5}, target) == 1);
+    }
+}
+
+TEST_CASE("a star standing across each axis is hit in its points and missed in its notches", "[03.7]") {
     for (int axis = 0; axis < 3; ++axis) {
         const Polygon polygon{stand(star(), axis, 2)};
         for (int i = 0; i < 10; ++i) {
@@ -263,7 +283,7 @@ TEST_CASE("a star standing across each axis is hit in its points and missed in i
     }
 }
 
-TEST_CASE("of several polygons the nearest is hit, and of equal ones the first", "[03.2]") {
+TEST_CASE("of several polygons the nearest is hit, and of equal ones the first", "[03.7]") {
     std::vector<Polygon> polygons;
     for (const Real height : {1.0, 4.0, 2.0, 4.0}) polygons.push_back({stand(unit_square, 2, height)});
     const Ray ray{{0.25, 0.5, 9}, {0, 0, -1}};

@@ -83,6 +83,30 @@ TEST_CASE("a triangle without area has the normal zero", "[03.3]") {
     CHECK(unit_normal({{2, 2, 2}, {2, 2, 2}, {2, 2, 2}}) == Vec3(0));
 }
 
+TEST_CASE("a needle has its normal whichever corner comes first", "[03.3]") {
+    // In the plane z = 0, one edge 2^-50 long, turned so that no coordinate is 0.
+    const Vec3 tip(0.1, 0.2, 0.3), blunt = tip + Vec3(1, 2, 2);
+    const Triangle needle{tip, blunt, blunt + 0x1p-50 * Vec3(2, -1, 0)};
+    const auto& [a, b, c] = needle;
+    // The corners are rounded; what matters is that the orders agree.
+    const Vec3 normal = unit_normal(needle);
+    for (const Triangle& turned : {Triangle{b, c, a}, Triangle{c, a, b}}) {
+        INFO("actual " << show(unit_normal(turned)) << ", with another corner first " << show(normal));
+        CHECK(glm::length(unit_normal(turned) - normal) <= 256 * unit_roundoff);
+    }
+    for (const Triangle& reversed : {Triangle{a, c, b}, Triangle{c, b, a}, Triangle{b, a, c}}) {
+        INFO("actual " << show(unit_normal(reversed)) << ", expected the opposite of " << show(normal));
+        CHECK(glm::length(unit_normal(reversed) + normal) <= 256 * unit_roundoff);
+    }
+}
+
+TEST_CASE("a triangle that is nearly a line, but not quite, has a normal", "[03.3]") {
+    // The corners are 1 and 2 steps from the origin, the last one off the line by its last bit.
+    const Real off = std::nextafter(2.0, 3.0);
+    CHECK(unit_normal({{0, 0, 0}, {1, 1, 0}, {2, off, 0}}) == Vec3(0, 0, 1));
+    CHECK(unit_normal({{0, 0, 0}, {1, 1, 0}, {off, 2, 0}}) == Vec3(0, 0, -1));
+}
+
 TEST_CASE("the weights at a corner, in the middle of an edge and at the centre", "[03.3]") {
     const auto check = [](const Vec3& point, const Vec3& expected) {
         const auto weights = barycentric(right_angled, point);
@@ -163,6 +187,56 @@ TEST_CASE("exchanging the ends of an edge changes the sign and nothing else", "[
         INFO("p = " << show(p) << ", q = " << show(q));
         REQUIRE(edge_function(p, q) == -edge_function(q, p));
     }
+}
+
+TEST_CASE("seen along the ray, its own points have x = y = 0", "[03.4]") {
+    for (const Vec3& direction : {Vec3(0, 0, -2), Vec3(0.5, 4, -1), Vec3(-8, 2, 4), Vec3(0, -1, 0)}) {
+        const Ray ray{{3, -1, 2}, direction};
+        const Vec3 p = seen(shear(ray), point_at(ray, 4));
+        INFO("direction " << show(direction) << ", the ray's point at t = 4 is seen at " << show(p));
+        CHECK(p.x == 0);
+        CHECK(p.y == 0);
+        // Its depth is that along the direction's greatest coordinate.
+        const Vec3 size = glm::abs(direction);
+        CHECK(std::abs(p.z) == 4 * std::max({size.x, size.y, size.z}));
+    }
+}
+
+TEST_CASE("seen along a ray in the direction of z, points keep their places", "[03.4]") {
+    const ShearedRay down = shear({{1, 2, 5}, {0, 0, -1}});
+    INFO("actual " << show(seen(down, {4, 6, 5})) << " and " << show(seen(down, {1, 2, 2})));
+    CHECK(seen(down, {4, 6, 5}) == Vec3(3, 4, 0));
+    CHECK(seen(down, {1, 2, 2}) == Vec3(0, 0, -3));
+    // Along x the other two coordinates follow in cyclic order: y, then z.
+    const ShearedRay along_x = shear({{0, 0, 0}, {4, 1, 2}});
+    INFO("actual " << show(seen(along_x, {4, 3, 5})));
+    CHECK(seen(along_x, {4, 3, 5}) == Vec3(2, 3, 4));
+}
+
+TEST_CASE("rays exactly at an edge or corner hit, in every order of the corners", "[03.4]") {
+    // None of these numbers is rounded: a slanted triangle, and rays at whole multiples of an edge's tenth.
+    const Vec3 a(3, -7, 11), step(2, 5, -3), b = a + 10.0 * step, c(-20, 13, 4);
+    for (int i = 0; i <= 10; ++i) {
+        for (const Vec3& origin : {Vec3(50, 1, -60), Vec3(-17, -90, 33), Vec3(1, 2, 300)}) {
+            const Vec3 direction = a + Real(i) * step - origin;
+            INFO("at " << i << " tenths of the edge, ray " << show(Ray{origin, direction}));
+            CHECK(shoot({a, b, c}, origin, direction));
+            CHECK(shoot({b, c, a}, origin, direction));
+            CHECK(shoot({c, a, b}, origin, direction));
+            CHECK(shoot({c, b, a}, origin, direction));
+        }
+    }
+}
+
+TEST_CASE("a ray that passes a corner by the last bit of a coordinate misses", "[03.4]") {
+    // The corner (1, 1, 0) is seen from above, and from 1 aside; beyond it is nothing.
+    const Triangle triangle{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+    const Real above = std::nextafter(1.0, 2.0), below = std::nextafter(1.0, 0.0);
+    CHECK(shoot(triangle, {1, 1, 5}, {0, 0, -1}));
+    CHECK_FALSE(shoot(triangle, {1, above, 5}, {0, 0, -1}));
+    CHECK_FALSE(shoot(triangle, {above, 1, 5}, {0, 0, -1}));
+    CHECK_FALSE(shoot(triangle, {below, 1, 5}, {0, 0, -1}));
+    CHECK(shoot(triangle, {1, below, 5}, {0, 0, -1}));
 }
 
 TEST_CASE("a ray down onto the triangle hits it at its height, weights by head", "[03.4]") {

@@ -5,6 +5,7 @@
 #include "tests/oracle/exact.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Gmpq.h>
 #include <CGAL/Mpzf.h>
 #include <CGAL/intersections.h>
 
@@ -12,6 +13,7 @@
 #include <CGAL/Gmpzf.h>
 #endif
 
+#include <algorithm>
 #include <cmath>
 
 namespace rt::oracle {
@@ -51,6 +53,17 @@ TriangleTruth judge_triangle(const Triangle& triangle, const Ray& ray, Real prop
     truth.hit = CGAL::sign(u) * side >= 0 && CGAL::sign(v) * side >= 0 && CGAL::sign(w) * side >= 0 &&
                 CGAL::sign(height) * side >= 0;
     return truth;
+}
+
+Vec3 unit_normal(const Triangle& triangle) {
+    using Rational = CGAL::Gmpq;
+    const ExactVec3<Rational> a(triangle.a);
+    const auto normal = cross(ExactVec3<Rational>(triangle.b) - a, ExactVec3<Rational>(triangle.c) - a);
+    const Rational greatest = std::max({CGAL::abs(normal.x), CGAL::abs(normal.y), CGAL::abs(normal.z)});
+    if (greatest == 0) return Vec3(0);
+    // Quotients by the greatest coordinate are in the range of Real, whatever the size.
+    const auto part = [&](const Rational& x) { return CGAL::to_double(x / greatest); };
+    return glm::normalize(Vec3(part(normal.x), part(normal.y), part(normal.z)));
 }
 
 std::optional<bool> cgal_ray_meets_triangle(const Triangle& triangle, const Ray& ray) {

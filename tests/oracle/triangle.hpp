@@ -25,6 +25,9 @@ struct TriangleTruth {
 
 TriangleTruth judge_triangle(const Triangle& triangle, const Ray& ray, Real proposed);
 
+/// The unit normal (b − a) × (c − a) normalised, each coordinate right to 4u; zero where there is no area.
+Vec3 unit_normal(const Triangle& triangle);
+
 /// The same question put to CGAL's filtered predicate `do_intersect(Ray_3, Triangle_3)`. Nothing where it
 /// can't be asked: its ray is given by two points, so origin + direction must need no rounding; and a
 /// degenerate triangle breaks its precondition.

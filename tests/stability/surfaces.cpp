@@ -166,11 +166,49 @@ Bundles at_hubs(std::size_t rays, std::uint64_t seed) { return at_fan(rays, seed
 
 Bundles at_spokes(std::size_t rays, std::uint64_t seed) { return at_fan(rays, seed, false); }
 
-constexpr std::array<SurfaceFamily, 4> families{{
+/// Rays from inside a closed box of 12 triangles that is 2^-50 as high as wide, at its edges, corners and
+/// faces.
+Bundles from_flat_boxes(std::size_t rays, std::uint64_t seed) {
+    Random random(seed);
+    Bundles result;
+    result.cases.reserve(12 * rays);
+    for (std::size_t i = 0; i < rays; ++i) {
+        const int flat = static_cast<int>(random.index(3));
+        Vec3 size(1);
+        size[flat] = power_of_two(-50);
+        const auto corner = [&](std::size_t k) {
+            return size *
+                   Vec3(static_cast<Real>(k & 1), static_cast<Real>(k >> 1 & 1), static_cast<Real>(k >> 2));
+        };
+        const std::size_t first = result.cases.size();
+        const std::size_t from = random.index(8), to = from ^ (std::size_t{1} << random.index(3));
+        const Real at = static_cast<Real>(random.index(17)) / 16;
+        const Vec3 target = random.index(4) == 0 ? size * (random.in_cube() + Real(1)) / Real(2)
+                                                 : corner(from) + at * (corner(to) - corner(from));
+        const Vec3 inner =
+            size * (Vec3(8) + Vec3(whole(random, 7), whole(random, 7), whole(random, 7))) / Real(16);
+        Ray ray{inner, target - inner};
+        if (random.index(2) == 0) ray.direction = nudged(ray.direction, random);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (std::size_t side = 0; side < 2; ++side) {
+                const std::size_t a = side << axis, x = std::size_t{1} << (axis + 1) % 3,
+                                  y = std::size_t{1} << (axis + 2) % 3;
+                // Seen from outside the corners turn counterclockwise.
+                const std::size_t b = side == 1 ? a | x : a | y, d = side == 1 ? a | y : a | x, c = a | x | y;
+                result.cases.push_back({{corner(a), corner(b), corner(c)}, ray});
+                result.cases.push_back({{corner(a), corner(c), corner(d)}, ray});
+            }
+        result.bundles.push_back({first, 12, true});
+    }
+    return result;
+}
+
+constexpr std::array<SurfaceFamily, 5> families{{
     {"rays at the edges of closed meshes", 8, at_edges},
     {"rays at the corners of closed meshes", 8, at_corners},
     {"rays at the hubs of fans of 1000 triangles", fan_size, at_hubs},
     {"rays at the spokes of fans of 1000 triangles", 4, at_spokes},
+    {"rays from inside closed boxes that are 2^-50 as high as wide", 12, from_flat_boxes},
 }};
 
 // ------------------------------------------------------------------------------------------------ judge

@@ -121,13 +121,60 @@ std::vector<TriangleCase> without_area(std::size_t count, std::uint64_t seed) {
     });
 }
 
-constexpr std::array<TriangleFamily, 5> families{{
+/// The same triangle six times, once for each order of its corners, and the same ray.
+template <class Make>
+std::vector<TriangleCase> in_every_order(std::size_t count, std::uint64_t seed, Make make) {
+    Random random(seed);
+    std::vector<TriangleCase> cases;
+    cases.reserve(count + 5);
+    while (cases.size() < count) {
+        const TriangleCase made = make(random);
+        std::array<std::size_t, 3> order{0, 1, 2};
+        const std::array<Vec3, 3> corners{made.triangle.a, made.triangle.b, made.triangle.c};
+        do {
+            cases.push_back({{corners[order[0]], corners[order[1]], corners[order[2]]}, made.ray});
+        } while (std::next_permutation(order.begin(), order.end()));
+    }
+    cases.resize(count);
+    return cases;
+}
+
+/// Two corners close together, in any order; the third far away.
+std::vector<TriangleCase> needles(std::size_t count, std::uint64_t seed) {
+    return in_every_order(count, seed, [](Random& random) {
+        const Vec3 tip = random.in_cube();
+        const Vec3 blunt = tip + random.direction();
+        const Triangle triangle{tip, blunt, blunt + random.magnitude(-15, -8) * random.direction()};
+        return aimed(random, triangle, tip + random.magnitude(-1, 2) * random.direction());
+    });
+}
+
+/// Whole numbers below 1000, so that rays pass exactly through corners and points of edges.
+std::vector<TriangleCase> integers(std::size_t count, std::uint64_t seed) {
+    return in_every_order(count, seed, [](Random& random) {
+        const auto whole = [&](Real limit) {
+            return Vec3(std::floor(random.uniform(-limit, limit)), std::floor(random.uniform(-limit, limit)),
+                        std::floor(random.uniform(-limit, limit)));
+        };
+        const Vec3 a = whole(500), step = whole(30);
+        // Every whole multiple of the step up to the end is a point of the edge from a to b.
+        const Real steps = std::floor(random.uniform(1, 16));
+        const Vec3 target = a + std::floor(random.uniform(0, steps + 1)) * step;
+        const Vec3 origin = whole(1000);
+        return TriangleCase{{a, a + steps * step, whole(500)}, {origin, target - origin}};
+    });
+}
+
+constexpr std::array<TriangleFamily, 7> families{{
     {"slivers of aspect up to 1e8", "1 over the cosine to the normal, times 1 to 10", slivers},
     {"edges of length 1e-20 and 1e20", "1 over the cosine to the normal, times 1 to 10", tiny_and_huge},
     {"seen nearly edge-on, cosines from 1e-17 to 1e-4", "1e4 to 1e17", edge_on},
     {"far from the origin, at (148376, 1234, -223423)", "1 over the cosine to the normal, times 1 to 1000",
      far},
     {"triangles without area", "none: every answer but a miss is wrong", without_area},
+    {"needles, in every order of the corners", "1 over the cosine to the normal, times 1 to 10", needles},
+    {"whole numbers, rays exactly at edges and corners, in every order", "1 over the cosine to the normal",
+     integers},
 }};
 
 // ------------------------------------------------------------------------------------------------ judge
@@ -170,13 +217,9 @@ Judgement judge_one(const TriangleCase& item, Real proposed) {
         return result;
     }
     result.bounds = volume_bounds(item);
+    // Signs are exact, and so is the decision that they make; only the sign of t may be rounding.
     const Vec3 volumes = truth.sum < 0 ? -truth.volumes : truth.volumes;
-    bool inside = true, positive = false, negative = false;
-    for (int i = 0; i < 3; ++i) {
-        inside = inside && volumes[i] > result.bounds[i];
-        positive = positive || volumes[i] > result.bounds[i];
-        negative = negative || volumes[i] < -result.bounds[i];
-    }
+    const bool inside = truth.sum != 0 && std::min({volumes.x, volumes.y, volumes.z}) >= 0;
     const auto& [a, b, c] = item.triangle;
     const Vec3& o = item.ray.origin;
     const Real reach = std::max({length(a - o), length(b - o), length(c - o)});
@@ -186,7 +229,7 @@ Judgement judge_one(const TriangleCase& item, Real proposed) {
         band * (reach + std::abs(truth.t) * length(item.ray.direction)) * (normal / std::abs(truth.sum));
     if (truth.sum == 0) result.allowed = infinity;
     result.surely_hit = inside && truth.t > result.allowed;
-    result.surely_missed = (positive && negative) || truth.t < -result.allowed;
+    result.surely_missed = !inside || truth.t < -result.allowed;
     return result;
 }
 
@@ -316,6 +359,74 @@ Verdict judge(std::span<const TurnCase> cases, std::span<const Real> answers) {
                                          : right < 0 ? "negative"
                                                      : "zero") +
                                         "\n  answered: " + literal(answer));
+    }
+    return verdict;
+}
+
+// ------------------------------------------------------------------------------------------------ tiles
+
+std::vector<TilesCase> tiles_cases(std::size_t count, std::uint64_t seed) {
+    return many(count, seed, [](Random& random) {
+        // A lattice of 3 × 3 cells in some plane; its corners are rounded once, for all tiles alike.
+        const Vec3 place = random.magnitude(-2, 3) * random.in_cube();
+        const Vec3 along = random.direction(), across = perpendicular_to(along, random);
+        const auto corner = [&](std::size_t i, std::size_t k) {
+            return place + static_cast<Real>(i) * along + static_cast<Real>(k) * across;
+        };
+        TilesCase item;
+        const std::size_t notch = random.index(2);
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (i == 1 && k <= 1 && notch == 0) continue;  // these are parts of an L
+                Polygon tile{{corner(i, k), corner(i + 1, k), corner(i + 1, k + 1), corner(i, k + 1)}};
+                if (i == 0 && k == 0 && notch == 0)  // an L: this cell and the two that were left out
+                    tile = {{corner(0, 0), corner(1, 0), corner(2, 0), corner(2, 1), corner(2, 2),
+                             corner(1, 2), corner(1, 1), corner(0, 1)}};
+                item.tiles.push_back(std::move(tile));
+            }
+        // Inside of the whole: a corner, or a point of an edge of the middle cell.
+        const Vec3 p = corner(1 + random.index(2), 1), q = corner(1 + random.index(2), 2);
+        const Vec3 target = p + (random.index(4) == 0 ? 0 : random.uniform(0, 1)) * (q - p);
+        const Vec3 normal = cross(along, across);
+        const Vec3 slant = random.uniform(-1, 1) * along + random.uniform(-1, 1) * across;
+        const Vec3 origin = target + random.magnitude(-1, 2) * (normal + slant);
+        item.ray = {origin, random.uniform(0.5, 2) * (target - origin)};
+        return item;
+    });
+}
+
+Verdict judge(std::span<const TilesCase> cases, std::span<const std::size_t> answers) {
+    Verdict verdict;
+    verdict.cases = cases.size();
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (answers[i] == 1) continue;
+        std::string tiles;
+        for (const Polygon& tile : cases[i].tiles) {
+            tiles += "\n  {";
+            for (const Vec3& vertex : tile.vertices) tiles += literal(vertex) + ", ";
+            tiles += "}";
+        }
+        count_mismatch(verdict, literal(cases[i].ray) + tiles +
+                                    "\n  right: one of these polygons is hit\n  answered: " +
+                                    std::to_string(answers[i]));
+    }
+    return verdict;
+}
+
+// ---------------------------------------------------------------------------------------------- normals
+
+Verdict judge_normals(std::span<const TriangleCase> cases, std::span<const Vec3> answers) {
+    Verdict verdict;
+    verdict.cases = cases.size();
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const Triangle& triangle = cases[i].triangle;
+        const Vec3 right = oracle::unit_normal(triangle);
+        const Real error = length(answers[i] - right) / (128 * unit_roundoff);
+        if (right == Vec3(0) ? answers[i] == Vec3(0) : error <= 1)
+            remember(verdict, error, [&] { return literal(triangle); });
+        else
+            count_mismatch(verdict, literal(triangle) + "\n  right: " + literal(right) +
+                                        "\n  answered: " + literal(answers[i]));
     }
     return verdict;
 }

@@ -4,8 +4,8 @@
 // The condition number of the parameter t where a ray meets a triangle with normal n is
 //     κ = (max |corner − origin| + |t||d|)·|n| / (|t||n·d|):
 // moving the corners by ε times their distance from the origin, and d by a relative ε, moves t by at most
-// κ·ε·|t|. Demands: hit or miss is right unless moving the corners by 4 ulp (8u) of their distance from the
-// origin would change the answer, |Δt| ≤ 8κu|t|, and no triangle without area is hit.
+// κ·ε·|t|. Demands: whether the line of the ray passes through the triangle is decided as exact arithmetic
+// does on the given numbers, edges and corners included; |Δt| ≤ 8κu|t|; no triangle without area is hit.
 #pragma once
 
 #include "common/math/ray.hpp"
@@ -69,6 +69,26 @@ std::span<const SurfaceFamily> surface_families();
 /// after hits of triangles that share a corner, face the same way and lie at the same t (within 8κu|t|) are
 /// merged. Verdict::cases counts rays.
 Verdict judge(const Bundles& bundles, std::span<const std::optional<Hit>> answers);
+
+// ----------------------------------------------------------------------------------------- tiles of polygons
+
+/// Polygons that share edges and cover a piece of a plane, up to the rounding of their corners, and a ray at
+/// a shared edge or corner.
+struct TilesCase {
+    std::vector<Polygon> tiles;
+    Ray ray;
+};
+
+std::vector<TilesCase> tiles_cases(std::size_t count, std::uint64_t seed);
+
+/// Judges how many of the tiles are hit: exactly one.
+Verdict judge(std::span<const TilesCase> cases, std::span<const std::size_t> answers);
+
+// ------------------------------------------------------------------------------------------------ normals
+
+/// Judges unit normals of the families' triangles: within 128u of the exact direction, and zero exactly where
+/// there is no area.
+Verdict judge_normals(std::span<const TriangleCase> cases, std::span<const Vec3> answers);
 
 // -------------------------------------------------------------------------- weights, signs, polygons
 
