@@ -115,15 +115,17 @@ void visit(Stop& stop, const fs::path& directory, const std::function<void(Real)
                 Encoding::Srgb);
 }
 
-/// The tour's directories can be made, and none of its pictures is one that it is to be compared with.
+/// The tour's files can be written, and none of its pictures is one that it is to be compared with.
 void require_places(const std::vector<Part>& parts, const fs::path& output) {
     make_directories(output);
     for (const Part& part : parts) {
         const fs::path directory = output / part.name;
         make_directories(directory);
         for (const Stop& stop : part.stops)
-            for (const std::string& name : {picture_of(stop), reference_of(stop), difference_of(stop)})
+            for (const std::string& name : {picture_of(stop), reference_of(stop), difference_of(stop)}) {
                 require_no_input(directory / name, {stop.scene.scene, stop.scene.picture});
+                require_writable(directory / name);
+            }
     }
     require_writable(output / "index.html");
 }

@@ -201,6 +201,11 @@ TEST_CASE("what cannot be written is found before anything is rendered") {
     check_refused("render slow.scene --solutions --size 8192x8193",
                   "--size: '8192x8193' is 67117056 pixels; at most 67108864 are possible");
     check_refused("tour -o kept.png", "kept.png: cannot be made a directory: Not a directory");
+    test::write(in_scratch("tour_kept/01_ray_casting/horizon.png"), "precious");
+    std::filesystem::permissions(in_scratch("tour_kept/01_ray_casting/horizon.png"),
+                                 std::filesystem::perms::owner_read);
+    check_refused("tour -o tour_kept",
+                  "tour_kept/01_ray_casting/horizon.png: cannot be written: it is read-only");
     check_refused("report -o kept.png leave-out", "kept.png: cannot be made a directory: Not a directory");
 }
 
