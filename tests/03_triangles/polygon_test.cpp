@@ -265,6 +265,22 @@ TEST_CASE("a ray at the edge or corner that squares share hits exactly one of th
     }
 }
 
+TEST_CASE("rays along the slanting ridge of a roof hit exactly one of its sides", "[03.7]") {
+    // Numbers with long binary fractions, so that everything is rounded.
+    const Vec3 p(0.1, 0.9, 0.3), q(0.7, 1.1, -2.4);
+    const Polygon left{{p, q, {-1.3, 0.2, -2.3}, {-1.1, 0.1, 0.7}}};
+    const Polygon right{{q, p, {1.6, 0.3, 0.2}, {1.9, 0.1, -2.9}}};
+    for (const Vec3& origin : {Vec3(0.3, 5.1, -1.7), Vec3(0.9, 3.3, 0.4)}) {
+        for (int i = 1; i < 400; ++i) {
+            const Ray ray{origin, p + Real(i) / 400 * (q - p) - origin};
+            INFO("at " << i << " of 400 parts of the ridge, ray " << show(ray));
+            CHECK(intersect(left, ray, Interval{}).has_value() +
+                      intersect(right, ray, Interval{}).has_value() ==
+                  1);
+        }
+    }
+}
+
 TEST_CASE("a star standing across each axis is hit in its points and missed in its notches", "[03.7]") {
     for (int axis = 0; axis < 3; ++axis) {
         const Polygon polygon{stand(star(), axis, 2)};
