@@ -31,7 +31,7 @@ stand_in() {
 rm -rf "$machine"
 mkdir -p "$machine/bin" "$machine/tree"
 cp "$COURSE_ROOT/course" "$machine/tree"
-for tool in bash env dirname readlink sed grep tail head rm mkdir mktemp cat; do
+for tool in bash env dirname readlink sed grep tail head tr rm mkdir mktemp cat; do
     ln -s "$(command -v $tool)" "$machine/bin/$tool"
 done
 export MACHINE=$machine
@@ -88,6 +88,9 @@ grep -q 'cmake -S' "$machine/asked" || fail "a moved tree is configured" "$(cat 
 
 : >"$machine/broken_build"
 expect "a broken build shows the error" 1 "y.cpp:1:2: error: no good" list
+# shellcheck disable=SC2016
+stand_in cmake 'printf "/x/caf\xe9.cpp:1:2: error: no \033[2Jgood\n"; exit 1'
+expect "an error that is not UTF-8 is shown, too" 1 "cpp:1:2: error: no \?\[2Jgood" list
 
 [ "$failures" = 0 ] && echo "everything is as it should be"
 exit $((failures > 0))
