@@ -84,6 +84,7 @@ struct Line {
     TraceCommand trace;
     TourOptions tour;
     ReferencesOptions references;
+    RandomReferencesOptions random;
 
     CLI::App* command(const std::string& name, const std::string& what, const std::string& example,
                       const Action& run) {
@@ -161,8 +162,9 @@ void add_pictures(Line& line) {
                        [&line] { return run_compare(line.compare); });
     sub->add_option("image", line.compare.image, "a .png, .pfm or .hdr")->required();
     sub->add_option("reference", line.compare.reference, "another of the same size")->required();
-    sub->add_option("--within", line.compare.within,
-                    "differences up to N/255 of the display's range pass; default 1")
+    sub->add_option(
+           "--within", line.compare.within,
+           "the same if 99.9 % of the pixels differ by N/255 of the display's range at most; default 1")
         ->transform(whole_number(0, 255));
     sub->add_option("--diff", line.compare.diff, "write a picture of the differences");
     sub->add_option("--page", line.compare.page, "write a page with the pictures side by side");
@@ -222,13 +224,23 @@ void add_project(Line& line) {
     sub =
         line.command("references", "render the references with POV-Ray again and report any that changed",
                      "references 02", [&line] {
+                         if (line.random.count > 0) return run_random_references(line.random);
                          if (!line.references.chapter.empty())
                              line.references.chapter =
                                  find_chapter(read_catalogue(this_project()), line.references.chapter).number;
                          return run_references(line.references);
                      });
     sub->add_option("chapter", line.references.chapter, "such as 02; default: all");
-    sub->add_flag("--make", line.references.make, "write them");
+    CLI::Option* make = sub->add_flag("--make", line.references.make, "write them");
+    CLI::Option* random =
+        sub->add_option(
+               "--random", line.random.count,
+               "make up so many scenes instead: each must be equal by POV-Ray, or refused by the export")
+            ->transform(whole_number(1, 1'000'000))
+            ->excludes(make);
+    sub->add_option("--first", line.random.first, "number of the first random scene; default 0")
+        ->transform(whole_number(0, 1LL << 53))
+        ->needs(random);
     sub->group(for_maintainers);
 
     sub = line.command("exercises", "report exercises that differ from what their solutions generate",
@@ -324,7 +336,7 @@ int run_line(int argc, char** argv, int& write_error) {
             return usage_error(line.app, error);
         }
         line.check.json = line.render.json = line.compare.json = line.explain.json = line.trace.json =
-            line.tour.json = line.references.json = line.report.json = line.json;
+            line.tour.json = line.references.json = line.random.json = line.report.json = line.json;
         return line.action();
     } catch (const NotImplemented& error) {
         say(not_started(error));

@@ -5,10 +5,13 @@
 #include "common/app/console.hpp"
 #include "common/app/json_text.hpp"
 #include "common/app/process.hpp"
+#include "common/app/random_scenes.hpp"
+#include "common/app/tour.hpp"
 #include "common/image/compare.hpp"
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/render/compile.hpp"
+#include "common/render/decisions.hpp"
 #include "common/render/export_povray.hpp"
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
@@ -17,8 +20,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <thread>
 
 namespace rt {
 namespace {
@@ -79,9 +84,10 @@ Image filtered(const Image& large, int scale, const Scene& scene) {
     return image;
 }
 
-/// Runs POV-Ray in `directory` on scene.pov; the picture is 16-bit, linear, and is left there too.
-Image run_povray(const ReferenceScene& scene, const std::string& text, const Scene& parsed,
-                 const fs::path& directory, double& seconds) {
+/// Runs POV-Ray in `directory` on scene.pov; its picture is 16-bit, linear, and is left there, too. Its
+/// pixels may be samples, which are not weighed yet.
+Image samples_by_povray(const ReferenceScene& scene, const std::string& text, const Scene& parsed,
+                        const fs::path& directory, double& seconds) {
     const fs::path source = directory / (scene.name + ".pov"), picture = directory / (scene.name + ".png");
     write_file(source, text);
     const PovrayRun run = povray_run(parsed);
@@ -106,7 +112,17 @@ Image run_povray(const ReferenceScene& scene, const std::string& text, const Sce
             fmt::format("POV-Ray failed on {}; its messages are in {}", source.string(), log.string()));
     }
     seconds = result.seconds;
-    if (run.scale > 1) write_png16(picture, filtered(read_image(picture), run.scale, parsed));
+    return read_image(picture);
+}
+
+/// The same with the samples weighed: the picture.
+Image run_povray(const ReferenceScene& scene, const std::string& text, const Scene& parsed,
+                 const fs::path& directory, double& seconds) {
+    const Image samples = samples_by_povray(scene, text, parsed, directory, seconds);
+    const PovrayRun run = povray_run(parsed);
+    if (!run.filter) return samples;
+    const fs::path picture = directory / (scene.name + ".png");
+    write_png16(picture, filtered(samples, run.scale, parsed));
     return read_image(picture);
 }
 
@@ -147,16 +163,20 @@ double povray_startup(const fs::path& directory) {
     return least;
 }
 
+/// The scene whose pixels are the samples of this one.
+Scene scene_of_samples(Scene scene, int scale) {
+    scene.width *= scale, scene.height *= scale;
+    scene.sampling = {};
+    return scene;
+}
+
 /// Seconds from the scene's file to our picture of the samples that POV-Ray was asked for; 0 where these are
 /// not ours.
 double our_time(const fs::path& file, const PovrayRun& run) {
     if (!run.exact) return 0;
     const auto start = std::chrono::steady_clock::now();
     Scene scene = parse_scene(file);
-    if (run.scale > 1) {
-        scene.width *= run.scale, scene.height *= run.scale;
-        scene.sampling = {};
-    }
+    if (run.scale > 1) scene = scene_of_samples(std::move(scene), run.scale);
     RenderOptions options;
     options.threads = povray_threads;
     options.estimate = false;
@@ -257,6 +277,76 @@ void print_row(std::string_view chapter, std::string_view name, double seconds, 
                std::string_view what, Tone tone) {
     const auto time = [](double s) { return s > 0 ? fmt::format("{:8.2f}", s) : std::string(8, ' '); };
     fmt::print("{:<16} {:<24} {} {}  {}\n", chapter, name, time(seconds), time(ours), paint(what, tone));
+}
+
+/// Compares what a ray each has seen, before a filter makes many pixels of one; and our picture with what our
+/// filter makes of these.
+Verdict judge_random(const Scene& scene, const Image& theirs, const PovrayRun& run) {
+    const RenderOptions options{.threads = 1, .progress = {}, .estimate = false};
+    const World world = compile(scene);
+    const Image ours = render(world, options).image;
+    if (!run.filter) return judge(ours, theirs, [&] { return decisions(world); });
+    const World samples = compile(scene_of_samples(scene, run.scale));
+    const Image our_samples = render(samples, options).image;
+    const Verdict weighed =
+        judge(ours, filtered(our_samples, run.scale, scene), [&] { return decisions(world); });
+    return weighed.passed ? judge(our_samples, theirs, [&] { return decisions(samples); }) : weighed;
+}
+
+/// What became of one random scene.
+struct RandomFinding {
+    enum { Equal, Refused, Differs } state = Equal;
+    std::string why = {};  ///< it was refused, or how it differs
+};
+
+RandomFinding check_random_scene(std::uint64_t number, const fs::path& directory) {
+    ReferenceScene scene;
+    scene.name = fmt::format("{}", number);
+    scene.scene = directory / (scene.name + ".scene");
+    write_file(scene.scene, random_scene(number));
+    const auto remove = [&] {
+        for (const char* ending : {".scene", ".pov", ".png"}) fs::remove(directory / (scene.name + ending));
+    };
+    try {
+        const Scene parsed = parse_scene(scene.scene);
+        std::string text;
+        try {
+            text = export_povray(parsed);
+        } catch (const InputError& error) {
+            remove();
+            return {RandomFinding::Refused, error.what()};
+        }
+        double seconds = 0;
+        const Image theirs = samples_by_povray(scene, text, parsed, directory, seconds);
+        const Verdict verdict = judge_random(parsed, theirs, povray_run(parsed));
+        if (verdict.passed) {
+            remove();
+            return {};
+        }
+        return {RandomFinding::Differs,
+                fmt::format("{} of {} pixels by up to {:.0f}/65535, {} of them not at silhouettes",
+                            verdict.over, theirs.pixels.size(), verdict.greatest, verdict.unexplained)};
+    } catch (const std::exception& error) {
+        return {RandomFinding::Differs, error.what()};
+    }
+}
+
+/// Most of POV-Ray's time for so small pictures is its start, so two are made at a time.
+std::vector<RandomFinding> check_random_scenes(const RandomReferencesOptions& options,
+                                               const fs::path& directory) {
+    std::vector<RandomFinding> findings(options.count);
+    std::atomic<std::uint64_t> next{0};
+    Progress progress("random scenes", !options.json);
+    const auto work = [&](bool shows_progress) {
+        for (std::uint64_t i = next++; i < options.count; i = next++) {
+            findings[i] = check_random_scene(options.first + i, directory);
+            if (shows_progress)
+                progress.update(static_cast<double>(i) / static_cast<double>(options.count), "");
+        }
+    };
+    std::jthread other([&] { work(false); });
+    work(true);
+    return findings;
 }
 
 }  // namespace
@@ -383,6 +473,40 @@ int run_references(const ReferencesOptions& options, const Project& project) {
                            : "changed or missing; `course references --make` writes what POV-Ray makes now");
     }
     return problems > 0 || (changed > 0 && !options.make) ? 1 : 0;
+}
+
+int run_random_references(const RandomReferencesOptions& options, const Project& project) {
+    if (run_process({"povray", "--version"}).exit_code == 127)
+        throw InputError("povray is not installed; install it with: apt-get install povray");
+    const fs::path directory = project.build / "references" / "random";
+    fs::create_directories(directory);
+    write_random_meshes(directory);
+    const std::vector<RandomFinding> findings = check_random_scenes(options, directory);
+
+    const auto count = [&](auto state) {
+        return std::ranges::count_if(findings, [&](const RandomFinding& f) { return f.state == state; });
+    };
+    const auto equal = count(RandomFinding::Equal), refused = count(RandomFinding::Refused),
+               differ = count(RandomFinding::Differs);
+    if (options.json) {
+        nlohmann::ordered_json json = {{"equal", equal}, {"refused", refused}, {"differ", differ}};
+        json["scenes"] = nlohmann::ordered_json::array();
+        for (std::size_t i = 0; i < findings.size(); ++i)
+            if (findings[i].state != RandomFinding::Equal)
+                json["scenes"].push_back({{"number", options.first + i},
+                                          {"refused", findings[i].state == RandomFinding::Refused},
+                                          {"why", findings[i].why}});
+        fmt::print("{}\n", json.dump(2));
+    } else {
+        for (std::size_t i = 0; i < findings.size(); ++i)
+            if (findings[i].state == RandomFinding::Differs)
+                fmt::print("{} {}\n",
+                           relative(project, directory / fmt::format("{}.scene", options.first + i)),
+                           paint("differs: " + findings[i].why, Tone::Bad));
+        fmt::print("{}: {} equal, {} refused, {} differ\n",
+                   counted(static_cast<long long>(findings.size()), "random scene"), equal, refused, differ);
+    }
+    return differ > 0 || refused > equal ? 1 : 0;
 }
 
 int run_export(const fs::path& scene, const fs::path& output) {

@@ -4,6 +4,7 @@
 #include "common/app/catalogue.hpp"
 #include "common/image/image.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -40,6 +41,18 @@ struct ReferencesOptions {
 /// repository; also the thumbnails that the README shows. Returns the exit status: 1 if any differ and
 /// were not written. Throws InputError if POV-Ray is not installed.
 int run_references(const ReferencesOptions& options, const Project& project = this_project());
+
+struct RandomReferencesOptions {
+    std::uint64_t count = 0;  ///< scenes
+    std::uint64_t first = 0;  ///< number of the first
+    bool json = false;        ///< one JSON object on standard output instead of the table
+};
+
+/// Makes up scenes, exports them and compares POV-Ray's pictures with ours by the gate of the tour: each is
+/// equal, or the export refuses it. Those that differ are left in build/references/random. Returns the exit
+/// status: 1 if any differs, or if more are refused than equal. Throws InputError if POV-Ray is not
+/// installed.
+int run_random_references(const RandomReferencesOptions& options, const Project& project = this_project());
 
 /// Writes the scene for POV-Ray. Returns the exit status. Throws InputError for what POV-Ray cannot express.
 int run_export(const std::filesystem::path& scene, const std::filesystem::path& output);

@@ -2,16 +2,16 @@
 // statement means the same as ours where that is not plain.
 #include "common/render/export_povray.hpp"
 
-#include "common/math/input_error.hpp"
+#include "common/render/povray_scene.hpp"
 #include "common/scene/range.hpp"
 
 #include <fmt/format.h>
-#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -24,6 +24,9 @@ constexpr int most_trace_levels = 256;
 
 /// Where lights that shine in parallel stand, in POV-Ray; only their direction matters.
 constexpr Real far_away = 1e5;
+
+/// Its rays end at 1e7.
+constexpr Real sky_radius = 1e6;
 
 /// Shortest number that reads back as the same double. Adding 0 makes -0 a 0.
 std::string number(Real x) { return fmt::format("{}", x + 0); }
@@ -43,7 +46,9 @@ bool is_grey(const Vec3& c) { return c.x == c.y && c.y == c.z; }
 /// The text so far, and the scene that it is about.
 struct Writer {
     const Scene& scene;
-    std::string text;
+    Real factor;  ///< of all its lengths to what was written
+    std::string text{};
+    std::map<Real, int> iors{};  ///< how many bodies have each index of refraction, so far
 
     template <class... Args>
     void line(fmt::format_string<Args...> format, Args&&... args) {
@@ -51,15 +56,6 @@ struct Writer {
         text += '\n';
     }
 };
-
-[[noreturn]] void refuse(const Scene& scene, const Object& object, std::string_view why) {
-    throw InputError(fmt::format("{}:{}:{}: POV-Ray cannot express this object: {}", scene.file,
-                                 object.place.line, object.place.column, why));
-}
-
-[[noreturn]] void refuse(const Scene& scene, std::string_view why) {
-    throw InputError(fmt::format("{}: POV-Ray cannot express this scene: {}", scene.file, why));
-}
 
 // What the picture depends on -----------------------------------------------------------------------------
 
@@ -75,9 +71,6 @@ bool shows_normals(const Scene& scene) {
 bool shows_directions_on_sphere(const Scene& scene) {
     return scene.integrator == Integrator::Directions && scene.camera.projection == Projection::Perspective;
 }
-
-/// The unit vector along v, which may have any length but 0.
-Vec3 unit(const Vec3& v) { return glm::normalize(near_one(v)); }
 
 Vec3 backwards(const Camera& camera) { return unit(camera.eye - camera.look_at); }
 
@@ -102,6 +95,11 @@ void write_header(Writer& out) {
              run.options.empty() ? "-A" : fmt::format("{}", fmt::join(run.options, " ")));
     if (run.scale > 1)
         out.line("// then {0} × {0} of its pixels are one of ours, weighed by our filter", run.scale);
+    else if (run.filter)
+        out.line("// then its pixels are weighed by our filter");
+    if (out.factor != 1)
+        out.line("// All lengths are {} times those of the scene: POV-Ray's tolerances are lengths.",
+                 number(out.factor));
     out.line("#version 3.7;");
     int levels = 1;
     if (has_bounces(scene)) {
@@ -140,8 +138,12 @@ void write_camera(Writer& out) {
 
 // Lights --------------------------------------------------------------------------------------------------
 
+/// Nothing behind such a light is lit. So where the eye is far from the origin, the light goes with it.
 void write_parallel_light(Writer& out, const Vec3& direction, const Vec3& color, std::string_view more = "") {
-    out.line("light_source {{ {} {} parallel point_at 0{} }}", triple(far_away * direction), rgb(color),
+    const Vec3& eye = out.scene.camera.eye;
+    const bool is_far = glm::length(eye) > far_away / 10;
+    out.line("light_source {{ {} {} parallel point_at {}{} }}",
+             triple(far_away * direction + (is_far ? eye : Vec3(0))), rgb(color), is_far ? triple(eye) : "0",
              more);
 }
 
@@ -290,34 +292,31 @@ std::string texture(const Scene& scene, const Material& m) {
     return text;
 }
 
-/// Reasons that concern one object's material, in scenes where materials send rays on.
-void check_material(const Scene& scene, const Object& object) {
-    const Material& m = scene.materials[object.material];
-    if (scene.integrator != Integrator::Raytrace || !is_transparent(m)) return;
-    if (!scene.lights.empty() && !is_grey(m.specular)) {
-        if (has_fresnel(m))
-            refuse(scene, object, "a transparent material with fresnel and a coloured highlight");
-        for (int i = 0; i < 3; ++i)
-            if (m.specular[i] == 0 && m.transmission[i] > 0)
-                refuse(scene, object,
-                       "a transparent material whose highlight lacks a channel that it transmits");
-    }
-    if (m.fresnel == Fresnel::Schlick)
-        refuse(
-            scene, object,
-            "Schlick's approximation, for which POV-Ray takes the angle of incidence also where light leaves "
-            "the denser side");
-    if (std::holds_alternative<TriangleObject>(object.shape) ||
-        std::holds_alternative<PolygonObject>(object.shape))
-        refuse(scene, object, "a transparent object without an inside; put its faces into one `mesh`");
-}
-
 /// Beer–Lambert as a medium: POV-Ray's fade_power 1001 has the same formula, but leaves out the ways
 /// between inner reflections.
-std::string interior(const Material& m) {
-    std::string text = fmt::format(" interior {{ ior {}", number(m.ior));
+///
+/// POV-Ray does not count a bounce where rays are not bent. So no two bodies have quite the same index of
+/// refraction, nor that of nothing: the differences are steps of its single precision.
+std::string interior(Writer& out, const Material& m) {
+    int& steps = out.iors.try_emplace(m.ior, m.ior == 1 ? 1 : 0).first->second;
+    // Nine digits are more than single precision has.
+    const std::string ior = steps == 0 ? number(m.ior) : fmt::format("{:.9g}", m.ior * (1 + steps * 1e-6));
+    ++steps;
+    std::string text = fmt::format(" interior {{ ior {}", ior);
     if (!is_black(m.absorption)) text += fmt::format(" media {{ absorption {} }}", rgb(m.absorption));
-    return text + (is_black(m.absorption) ? " }" : " } hollow");
+    return text + " }";
+}
+
+/// POV-Ray takes any body around the eye for a medium, even if it is opaque. `inverse` turns its inside out
+/// and changes nothing that is seen.
+bool must_be_inverse(const Scene& scene, const Object& object) {
+    return has_bounces(scene) && !is_glass(scene, object) && surrounds_eye(scene, object) &&
+           std::ranges::any_of(scene.objects, [&](const Object& other) { return is_glass(scene, other); });
+}
+
+/// Media are only where every body around is hollow.
+bool must_be_hollow(const Scene& scene, const Object& object) {
+    return absorbs(scene) && (is_glass(scene, object) || may_surround_eye(scene, object));
 }
 
 void write_materials(Writer& out) {
@@ -339,32 +338,6 @@ void write_materials(Writer& out) {
 }
 
 // Shapes --------------------------------------------------------------------------------------------------
-
-/// The matrix of a node of the transform tree: its parents' steps on the left of its own.
-Mat4 matrix_of(const Scene& scene, int node) {
-    Mat4 m(1);
-    for (; node >= 0; node = scene.transforms[static_cast<std::size_t>(node)].parent) {
-        Mat4 step(1);
-        const TransformStep& what = scene.transforms[static_cast<std::size_t>(node)].step;
-        if (const auto* move = std::get_if<Translate>(&what)) {
-            step[3] = Vec4(move->by, 1);
-        } else if (const auto* stretch = std::get_if<Scale>(&what)) {
-            for (int i = 0; i < 3; ++i) step[i][i] = stretch->by[i];
-        } else {
-            const auto& turn = std::get<Rotate>(what);
-            const Vec3 k = unit(turn.axis);
-            for (int i = 0; i < 3; ++i) {
-                Vec3 e(0);
-                e[i] = 1;
-                const Vec3 turned = e * std::cos(turn.angle) + glm::cross(k, e) * std::sin(turn.angle) +
-                                    k * (k[i] * (1 - std::cos(turn.angle)));
-                step[i] = Vec4(turned, 0);
-            }
-        }
-        m = step * m;
-    }
-    return m;
-}
 
 std::string transform_of(const Scene& scene, const Object& object) {
     if (object.transform < 0) return "";
@@ -449,6 +422,14 @@ std::vector<std::array<std::size_t, 3>> indices_of(const Mesh& mesh, std::int32_
     return indices;
 }
 
+/// Whether the eye may be inside a transparent object of this mesh.
+bool is_around_eye(const Scene& scene, std::size_t mesh) {
+    return std::ranges::any_of(scene.objects, [&](const Object& object) {
+        const auto* shown = std::get_if<MeshObject>(&object.shape);
+        return shown && shown->mesh == mesh && is_glass(scene, object) && may_surround_eye(scene, object);
+    });
+}
+
 void write_mesh(Writer& out, const Mesh& mesh, std::size_t index) {
     const auto index_text = [](const auto& face) {
         return fmt::format("<{}, {}, {}>", face[0], face[1], face[2]);
@@ -479,6 +460,8 @@ void write_mesh(Writer& out, const Mesh& mesh, std::size_t index) {
     });
     if (!normals.empty()) write_list(out, "normal_indices", normal_indices, index_text);
     if (uv) write_list(out, "uv_indices", uv_indices, index_text);
+    // Any direction in general position, to tell whether the eye is inside.
+    if (is_around_eye(out.scene, index)) out.line("  inside_vector <0.41, 0.83, 0.37>");
     out.line("}}\n");
 }
 
@@ -531,13 +514,30 @@ void write_object(Writer& out, const Object& object) {
         else
             out.line("{}{} texture {{ {} }} }}", shape, transform, has_triangles(object) ? "MeshUv" : "NoUv");
     } else if (scene.integrator == Integrator::Raytrace) {
-        check_material(scene, object);
         const Material& m = scene.materials[object.material];
-        out.line("{}{} texture {{ Material{} }}{}{} }}", shape, transform, object.material,
-                 is_transparent(m) ? interior(m) : "", scene.shadows ? "" : " no_shadow");
+        out.line("{}{} texture {{ Material{} }}{}{}{}{} }}", shape, transform, object.material,
+                 is_transparent(m) ? interior(out, m) : "", must_be_hollow(scene, object) ? " hollow" : "",
+                 must_be_inverse(scene, object) ? " inverse" : "", scene.shadows ? "" : " no_shadow");
     } else {
         out.line("{}{} texture {{ Material{} }} }}", shape, transform, object.material);
     }
+}
+
+/// POV-Ray lets light from the background through any medium. So where a ray in an absorbing body may go on
+/// for ever, the background is a sphere so large that nothing is left of light from there.
+void write_sky(Writer& out) {
+    const Scene& scene = out.scene;
+    const auto endless =
+        std::ranges::find_if(scene.objects, [&](const Object& object) { return is_endless(scene, object); });
+    if (!absorbs(scene) || endless == scene.objects.end()) return;
+    const Vec3 a = scene.materials[endless->material].absorption;
+    for (int i = 0; i < 3; ++i)
+        if (a[i] > 0 && a[i] * sky_radius < 12)  // e^-12 is less than half a 16-bit step
+            refuse(scene, *endless, "absorption so weak, in a body without an end");
+    out.line(
+        "sphere {{ {}, {} texture {{ pigment {{ {} }} finish {{ ambient 0 diffuse 0 emission 1 }} }} "
+        "no_shadow hollow }}",
+        triple(scene.camera.eye), number(sky_radius), rgb(scene.background));
 }
 
 void write_objects(Writer& out) {
@@ -552,6 +552,7 @@ void write_objects(Writer& out) {
         written[shown->mesh] = true;
         write_mesh(out, out.scene.meshes[shown->mesh], shown->mesh);
     }
+    write_sky(out);
     for (const Object& object : out.scene.objects) write_object(out, object);
 }
 
@@ -562,21 +563,22 @@ PovrayRun povray_run(const Scene& scene) {
     const bool box = sampling.filter.kind == FilterKind::Box && sampling.filter.radius == 0.5;
     const auto root = static_cast<int>(std::sqrt(static_cast<Real>(sampling.count)) + 0.5);
     const auto option = [](const char* name, int n) { return fmt::format("{}{}", name, n); };
-    if (sampling.count == 1) return {};
+    if (scene.integrator == Integrator::Rasterize) return {};
+    if (sampling.count == 1) return {1, {}, !box, true};
     switch (sampling.sampler) {
         case Sampler::Regular:
-            if (root * root == sampling.count) return {root, {}, true};
+            if (root * root == sampling.count) return {root, {}, true, true};
             break;
         case Sampler::Trapezoid:
             // Its recursion halves the pixel `depth` − 1 times.
             for (int depth = 1; box && depth <= 4; ++depth)
                 if (const int side = (1 << (depth - 1)) + 1; side * side == sampling.count)
-                    return {1, {"+AM2", "+A0.0", option("+R", depth), "-J"}, true};
+                    return {1, {"+AM2", "+A0.0", option("+R", depth), "-J"}, false, true};
             break;
         case Sampler::Centered: {
             const auto side = static_cast<int>(std::sqrt(static_cast<Real>(sampling.count - 1)) + 0.5);
             if (box && side * side == sampling.count - 1)
-                return {1, {"+AM1", "+A0.0", option("+R", side), "-J"}, true};
+                return {1, {"+AM1", "+A0.0", option("+R", side), "-J"}, false, true};
             break;
         }
         case Sampler::Random:
@@ -584,11 +586,14 @@ PovrayRun povray_run(const Scene& scene) {
         case Sampler::Poisson:
             break;
     }
-    return {8, {"+AM1", "+A0.0", "+R2", "-J"}, false};
+    return {8, {"+AM1", "+A0.0", "+R2", "-J"}, true, false};
 }
 
 std::string export_povray(const Scene& scene) {
-    Writer out{scene, {}};
+    refuse_other_optics(scene);
+    const Real factor = povray_factor(scene);
+    const Scene here = sized_for_povray(scene, factor);
+    Writer out{.scene = here, .factor = factor};
     write_header(out);
     write_camera(out);
     write_lights(out);

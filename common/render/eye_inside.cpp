@@ -7,6 +7,25 @@
 
 namespace rt {
 
+namespace {
+
+/// Corrects what the line says of planes: inside is the side that the normal points away from, also where no
+/// line out of it crosses the plane. Those are left last.
+void decide_planes(const World& world, std::vector<Medium>& inside) {
+    for (const Primitive& primitive : world.primitives) {
+        const auto* planes = std::get_if<Planes>(&world.groups[primitive.group]);
+        if (!planes || world.materials[primitive.material].transmission == Vec3(0)) continue;
+        const Plane& plane = planes->shapes[primitive.index];
+        const bool behind = glm::dot(plane.normal, world.view.eye - plane.point) < 0;
+        const auto same =
+            std::ranges::find(inside, primitive.object, [](const Medium& m) { return m.object; });
+        if (behind && same == inside.end()) inside.push_back({primitive.object, primitive.material});
+        if (!behind && same != inside.end()) inside.erase(same);
+    }
+}
+
+}  // namespace
+
 std::vector<Medium> objects_around_eye(const World& world) {
     // A direction in general position, so that the line does not run along edges of things that are
     // aligned with the axes.
@@ -23,6 +42,7 @@ std::vector<Medium> objects_around_eye(const World& world) {
         else
             inside.erase(same);
     }
+    decide_planes(world, inside);
     std::reverse(inside.begin(), inside.end());
     return inside;
 }

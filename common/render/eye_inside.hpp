@@ -8,7 +8,8 @@
 namespace rt {
 
 /// The transparent objects around the eye, outermost first: those that a line from the eye to
-/// infinity crosses an odd number of times. Objects are closed, or the answer means nothing.
+/// infinity crosses an odd number of times, and planes whose normal points away from it. Other objects are
+/// closed, or the answer means nothing.
 std::vector<Medium> objects_around_eye(const World& world);
 
 }  // namespace rt

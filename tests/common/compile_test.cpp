@@ -521,3 +521,20 @@ TEST_CASE("a scale around the whole scene changes no bit of the picture", "[comp
         CHECK(same_bits(plain, render(compile(scene)).image));
     }
 }
+
+TEST_CASE("the eye is inside a plane of glass where it is behind it, wherever it faces", "[compile]") {
+    const auto inside = [](const Vec3& at, const Vec3& normal) {
+        return world_of(fmt::format("transmission 1 1 1\nior 1.5\nplane {} {} {} {} {} {}\n", at.x, at.y,
+                                    at.z, normal.x, normal.y, normal.z))
+            .eye_inside.size();
+    };
+    const Vec3 eye(0, 0, 5);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const Real side : {1., -1.}) {
+            Vec3 normal(0);
+            normal[axis] = side;
+            CAPTURE(axis, side);
+            CHECK(inside(eye + 2. * normal, normal) == 1);
+            CHECK(inside(eye - 2. * normal, normal) == 0);
+        }
+}

@@ -88,7 +88,7 @@ TEST_CASE("the camera spans the picture by its basis", "[export]") {
 TEST_CASE("exported numbers read back as the same double", "[export]") {
     test::Random random(7);
     for (int i = 0; i < test::cases(200); ++i) {
-        const Real radius = random.magnitude(-6, 6), x = random.magnitude(-12, 12);
+        const Real radius = random.magnitude(-1.9, 3), x = random.magnitude(-12, 3.5);
         const std::vector<Real> read = numbers_after(
             exported(fmt::format("integrator normals\nsphere {:.17g} 0 0 {:.17g}\n", x, radius)), "sphere {");
         CAPTURE(x, radius);
@@ -261,6 +261,134 @@ TEST_CASE("what POV-Ray cannot express is refused, with its place and the reason
         "small.scene:9:1: POV-Ray cannot express this object: a transparent material whose highlight"));
 }
 
+TEST_CASE("what is too small or too far for POV-Ray's tolerances is exported larger or smaller", "[export]") {
+    // The same picture in several units. POV-Ray's own are for things between 0.01 and 1e4.
+    const auto in_units = [](const std::string& e) {
+        return exported("camera 0 1" + e + " 4" + e +
+                        " 0 0 0 0 1 0 35\nambient .1 .1 .1\nchecker 1 1 1 0 0 0 2" + e +
+                        "\nattenuation 1 0 0\npoint 2" + e + " 3" + e + " 2" + e + " 1 1 1\nsphere 0 0 0 6" +
+                        e + "\ntranslate 7" + e + " 6" + e + " 0\nsphere 0 0 0 3" + e + "\n");
+    };
+    const auto radius = [](const std::string& text) { return numbers_after(text, "sphere {").at(3); };
+    CHECK(radius(in_units("e0")) == 6);
+    CHECK_FALSE(contains(in_units("e0"), "All lengths are"));
+    for (const char* unit : {"e-5", "e-20", "e6", "e20"}) {
+        const std::string text = in_units(unit);
+        INFO(text);
+        const Real factor = numbers_after(text, "All lengths are").at(0);
+        CHECK(std::exp2(std::round(std::log2(factor))) == factor);
+        CHECK(radius(text) >= 0.01);
+        CHECK(radius(text) <= 1e4);
+        const Real one = std::stod("1" + std::string(unit)) * factor;
+        CHECK(radius(text) == Approx(6 * one));
+        CHECK(numbers_after(text, "location").at(1) == Approx(one));
+        CHECK(numbers_after(text, "light_source").at(1) == Approx(3 * one));
+        CHECK(numbers_after(text, "rgb 0 scale").at(0) == Approx(2 * one));
+        CHECK(numbers_after(text, "matrix").at(9) == Approx(7 * one));
+    }
+    // Attenuation is by distance, and so is absorption.
+    CHECK(contains(exported("camera 0 0 4e-6 0 0 0 0 1 0 35\nsphere 0 0 0 1e-6\nattenuation 4 0 1e12\npoint "
+                            "0 1e-6 0 1 1 1\n"),
+                   "fade_power 2"));
+    const std::string dim = exported(
+        "camera 0 0 4e8 0 0 0 0 1 0 35\nambient 0 0 0\ntransmission 1 1 1\n"
+        "absorption 1e-8 0 0\nsphere 0 0 0 1e8\n");
+    INFO(dim);
+    CHECK(numbers_after(dim, "absorption").at(0) * numbers_after(dim, "sphere {").at(3) == Approx(1));
+
+    const std::string both = refusal("sphere 0 0 0 1e-3\nsphere 0 0 -1e5 1e4\n");
+    INFO(both);
+    CHECK(contains(both, "POV-Ray cannot express this scene: its lengths are from 0.001 to 1.11e+05"));
+}
+
+TEST_CASE("a shape has a size near 1 before its transform, too", "[export]") {
+    for (const char* shape :
+         {"sphere 0 0 0 1e-9\n", "vertex -1e-9 0 0\nvertex 1e-9 0 0\nvertex 0 1e-9 0\ntri 0 1 2\n",
+          "vertexnormal -1e-9 0 0 0 0 1\nvertexnormal 1e-9 0 0 0 0 1\nvertexnormal 0 1e-9 0 0 0 1\ntrinormal "
+          "0 1 2\n"}) {
+        std::string text = shape;
+        const std::size_t at = text.find_last_of('\n', text.size() - 2);  // before the object's line
+        text.insert(at == std::string::npos ? 0 : at + 1, "translate 0 0 -1\nscale 1e9 1e9 1e9\n");
+        const std::string pov = exported("integrator normals\n" + text);
+        INFO(pov);
+        const Real stretch = numbers_after(pov, "matrix").at(0);
+        CHECK(stretch > 1e-2);
+        CHECK(stretch < 1e2);
+        CHECK(numbers_after(pov, "matrix").at(11) == -1);
+    }
+}
+
+TEST_CASE("absorption is exported where POV-Ray's media reach", "[export]") {
+    const std::string water = "background .3 .5 .9\nambient 0 0 0\ntransmission 1 1 1\nabsorption .5 .2 0\n";
+    SECTION("towards the background by a sky that is far away") {
+        CHECK(contains(exported(water + "plane 0 0 0 0 1 0\n"), "no_shadow hollow }"));
+        CHECK_FALSE(contains(exported(water + "sphere 0 0 0 1\n"), "no_shadow"));
+        const std::string weak =
+            refusal("ambient 0 0 0\ntransmission 1 1 1\nabsorption 1e-7 0 0\nplane 0 0 0 0 1 0\n");
+        CHECK(contains(weak, "small.scene:7:1: POV-Ray cannot express this object: absorption so weak"));
+    }
+    SECTION("around the camera, and inside of other glass") {
+        const std::string room = "sphere 0 0 0 20\n", text = exported(room + water + "sphere 0 0 0 1\n");
+        INFO(text);
+        CHECK(contains(text, "20 texture { Material0 } hollow inverse }"));
+        CHECK(contains(
+            exported("ambient 0 0 0\ntransmission 1 1 1\nsphere 0 0 0 2\n" + water + "sphere 0 0 0 1\n"),
+            "interior { ior 1.000001 } hollow }"));
+    }
+    SECTION("not where there are lights: POV-Ray absorbs theirs") {
+        const std::string why =
+            refusal("directional 0 1 0 1 1 1\ndiffuse 1 1 1\nplane 0 -1 0 0 1 0\ndiffuse 0 0 0\n" + water +
+                    "sphere 0 0 0 1\n");
+        INFO(why);
+        CHECK(contains(
+            why, "small.scene:12:1: POV-Ray cannot express this object: absorption in a scene with lights"));
+        // Light that nothing reflects, and glass that no ray enters.
+        CHECK(refusal("directional 0 1 0 1 1 1\n" + water + "sphere 0 0 0 1\n").empty());
+        CHECK(refusal("maxdepth 0\ndirectional 0 1 0 1 1 1\ndiffuse 1 1 1\n" + water + "sphere 0 0 0 1\n")
+                  .empty());
+    }
+}
+
+TEST_CASE("bodies with fresnel that may be nested are refused", "[export]") {
+    const std::string glass = "ambient 0 0 0\ntransmission 1 1 1\nior 1.5\n",
+                      fresnel = glass + "fresnel exact\n";
+    const auto is_nested = [](const std::string& why) {
+        return contains(why, "on the way out POV-Ray forgets");
+    };
+    const std::string why = refusal(fresnel + "sphere 0 0 0 1\nior 1.2\nsphere 0 0 0 .9\n");
+    INFO(why);
+    CHECK(is_nested(why));
+    CHECK(why.starts_with("small.scene:8:1: "));
+    CHECK(contains(why, "of line 10"));
+    CHECK(is_nested(refusal(glass + "sphere 0 0 0 1\nfresnel exact\nsphere 0 0 0 .9\n")));
+    CHECK(is_nested(refusal(fresnel + "plane 0 0 0 0 1 0\nsphere 0 .5 0 .7\n")));
+    CHECK(is_nested(refusal(fresnel + "sphere 0 0 0 1\ntranslate 1.5 0 0\nscale 2 1 1\nsphere 0 0 0 .5\n")));
+    // Side by side, above the water, without fresnel, or with no bounce at all.
+    CHECK(refusal(fresnel + "sphere 0 0 0 1\nsphere 1.9 1.9 0 1\n").empty());
+    CHECK(refusal(fresnel + "plane 0 0 0 0 1 0\nsphere 0 .8 0 .7\n").empty());
+    CHECK(refusal(glass + "sphere 0 0 0 1\nsphere 0 0 0 .9\n").empty());
+    CHECK(refusal("maxdepth 0\n" + fresnel + "sphere 0 0 0 1\nsphere 0 0 0 .9\n").empty());
+    // Opaque things are no media, also around the camera: there POV-Ray has to be told.
+    CHECK(contains(exported("sphere 0 0 0 20\n" + fresnel + "sphere 0 0 0 1\n"), "{ Material0 } inverse }"));
+    CHECK_FALSE(contains(exported("sphere 0 0 0 20\nsphere 0 0 0 1\n"), "inverse"));
+}
+
+TEST_CASE("POV-Ray counts a bounce only where rays are bent, so no two bodies bend alike", "[export]") {
+    const std::string text = exported(
+        "ambient 0 0 0\ntransmission 1 1 1\nsphere 0 0 0 1\nsphere 0 0 0 .8\nior 1.5\n"
+        "sphere 0 0 0 .6\nsphere 0 0 0 .4\n");
+    INFO(text);
+    for (const char* ior : {"ior 1.000001 ", "ior 1.000002 ", "ior 1.5 ", "ior 1.5000015 "})
+        CHECK(contains(text, ior));
+}
+
+TEST_CASE("lights from infinitely far away stand by the eye, wherever that is", "[export]") {
+    const std::string text =
+        exported("camera 0 0 1e7 0 0 0 0 1 0 35\ndirectional 1 0 0 1 1 1\nsphere 0 0 9.995e6 1e3\n");
+    INFO(text);
+    CHECK(contains(text, "light_source { <100000, 0, 10000000> rgb 1 parallel point_at <0, 0, 10000000> }"));
+}
+
 TEST_CASE("every reference scene is exported, to the same text each time", "[export]") {
     namespace fs = std::filesystem;
     int count = 0;
@@ -294,6 +422,17 @@ TEST_CASE("how POV-Ray makes a picture of several samples a pixel", "[export]") 
     CHECK(run("").scale == 1);
     CHECK(run("").options.empty());
     CHECK(run("sampler random").exact);
+    // One sample a pixel, but a filter that reaches to the neighbours'.
+    CHECK_FALSE(run("spp 1").filter);
+    CHECK(run("spp 1\nfilter gaussian").filter);
+    CHECK(run("spp 1\nfilter gaussian").scale == 1);
+    CHECK(run("spp 9\nsampler regular").filter);
+    CHECK_FALSE(run("spp 10\nsampler centered").filter);
+    CHECK(contains(exported("integrator flat\nfilter mitchell\n"),
+                   "// then its pixels are weighed by our filter"));
+    // Scan conversion takes one sample whatever the scene says.
+    CHECK(run("spp 9\nsampler regular\nintegrator rasterize").scale == 1);
+    CHECK_FALSE(run("spp 9\nsampler regular\nintegrator rasterize").filter);
     CHECK(run("spp 9\nsampler regular\nfilter tent").scale == 3);
     CHECK(run("spp 9\nsampler regular").exact);
     CHECK(
