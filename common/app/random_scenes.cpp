@@ -10,6 +10,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
+#include <string_view>
 
 namespace rt {
 namespace {
@@ -22,6 +23,7 @@ struct Author {
     bool lit = false;  ///< there are lights
     bool dim = false;  ///< no light may be over 1: samples are averaged, and POV-Ray clamps each
     Real unit = 1;     ///< of all lengths
+    int depth = 5;     ///< of bounces
     std::size_t vertices = 0;
     std::size_t normals = 0;
 
@@ -66,7 +68,10 @@ void write_picture(Author& a) {
     if (a.integrator != "raytrace" || a.chance(0.3)) a.line("integrator {}", a.integrator);
     a.line("background {}", color(a, a.dim ? 0.3 : 0.8));
     if (a.chance(0.15)) a.line("shadows {}", a.one_of({"on", "off", "off"}));
-    if (a.chance(0.7)) a.line("maxdepth {}", a.whole(0, 8));
+    if (a.chance(0.7)) {
+        a.depth = a.chance(0.2) ? 0 : a.whole(1, 8);
+        a.line("maxdepth {}", a.depth);
+    }
     if (a.chance(0.1)) a.line("mincontribution {:.3g}", a.uniform(0.001, 0.1));
     if (a.chance(0.2)) a.line("accelerator {}", a.one_of({"auto", "none", "grid", "nested"}));
 }
@@ -135,6 +140,11 @@ void write_material(Author& a, Real glassy) {
     a.line("absorption {}", glass && absorbs ? triple(in_box(a, Vec3(0), Vec3(1)) / a.unit) : "0 0 0");
 }
 
+/// Takes the mirror from what has smooth normals: POV-Ray's rays go on into the body where ours do not.
+void write_no_mirror(Author& a) {
+    if (a.depth > 0) a.line("specular 0 0 0");
+}
+
 /// Moves, turns and stretches what follows.
 void write_transform(Author& a) {
     a.line("pushTransform\ntranslate {}", triple(a.unit * in_box(a, Vec3(-1), Vec3(1))));
@@ -168,6 +178,7 @@ void write_triangle(Author& a) {
             a.line("vertex {}", triple(p));
     }
     std::size_t& first = smooth ? a.normals : a.vertices;
+    if (smooth) write_no_mirror(a);
     a.line("{} {} {} {}", smooth ? "trinormal" : "tri", first, first + 1, first + 2);
     first += 3;
 }
@@ -189,8 +200,10 @@ void write_mesh(Author& a) {
     a.line("pushTransform\nscale {0:.7g} {0:.7g} {0:.7g}", a.unit * a.uniform(0.5, 1));
     a.line("translate {}", triple(in_box(a, Vec3(-1.2, -0.4, -1.2), Vec3(1.2, 0.8, 1.2))));
     a.line("rotate {} {:.5g}", triple(in_box(a, Vec3(-1), Vec3(1))), a.uniform(-180, 180));
-    a.line("mesh {}\npopTransform",
-           a.one_of({"box.obj", "gem.obj", "gem.obj", "round.obj", "painted.obj", "open.obj"}));
+    const std::string_view mesh =
+        a.one_of({"box.obj", "gem.obj", "gem.obj", "round.obj", "painted.obj", "open.obj"});
+    if (mesh == "round.obj") write_no_mirror(a);
+    a.line("mesh {}\npopTransform", mesh);
 }
 
 void write_object(Author& a) {
