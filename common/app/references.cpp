@@ -279,13 +279,19 @@ void print_row(std::string_view chapter, std::string_view name, double seconds, 
     fmt::print("{:<16} {:<24} {} {}  {}\n", chapter, name, time(seconds), time(ours), paint(what, tone));
 }
 
-/// Compares what a ray each has seen, before a filter makes many pixels of one; and our picture with what our
-/// filter makes of these.
+/// Judges by the gate of the tour what a ray each has seen, before a filter makes many pixels of one, and our
+/// picture by what our filter makes of these. Where POV-Ray itself puts its samples together, there are as
+/// many decisions as samples, and so often may one be another.
 Verdict judge_random(const Scene& scene, const Image& theirs, const PovrayRun& run) {
     const RenderOptions options{.threads = 1, .progress = {}, .estimate = false};
     const World world = compile(scene);
     const Image ours = render(world, options).image;
-    if (!run.filter) return judge(ours, theirs, [&] { return decisions(world); });
+    if (!run.filter) {
+        Verdict verdict = judge(ours, theirs, [&] { return decisions(world); });
+        const Real samples = static_cast<Real>(ours.pixels.size()) * scene.sampling.count;
+        verdict.passed = verdict.unexplained == 0 && static_cast<Real>(verdict.over) <= gate_share * samples;
+        return verdict;
+    }
     const World samples = compile(scene_of_samples(scene, run.scale));
     const Image our_samples = render(samples, options).image;
     const Verdict weighed =

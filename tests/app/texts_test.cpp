@@ -146,6 +146,7 @@ void check_elsewhere(const Command& command, const Elsewhere& where, const fs::p
     const std::vector<Chapter> chapters = read_catalogue(this_project());
     for (std::size_t i = 2; i < command.words.size(); ++i) {
         const std::string& word = command.words[i];
+        if (command.words[i - 1].starts_with("--") && word.find('-') != 0) continue;  // an option's value
         if (word.starts_with("--"))
             CHECK(help.output.find(word) != std::string::npos);
         else if (word.find('.') != std::string::npos)
