@@ -2,6 +2,15 @@
 // Debian 12 ships 2.13, and only that has been tried; newer systems ship 3.
 #pragma once
 
+#include "tests/show.hpp"
+
+// Numbers in the conditions that failed have all the digits that they need: Catch's own would write a bound
+// of 1e-16 as 0.0, and two neighbours alike. It calls `stringify` by its full name, so an overload that is
+// known before its header takes the place of its template.
+namespace Catch::Detail {
+inline std::string stringify(double number) { return rt::test::show(number); }
+}  // namespace Catch::Detail
+
 #if __has_include(<catch2/catch_all.hpp>)
 
 #include <catch2/catch_all.hpp>
@@ -18,6 +27,29 @@ using Catch::Approx;
 #include <catch2/catch.hpp>
 
 #endif
+
+// Values of ours in conditions; what is a range for Catch stays one, of elements that are shown.
+namespace Catch {
+template <class T>
+requires(rt::test::Shown<T> && !std::is_arithmetic_v<T> && !is_range<T>::value) struct StringMaker<T> {
+    static std::string convert(const T& value) { return rt::test::show(value); }
+};
+}  // namespace Catch
+
+// And in the messages beside them.
+#undef INFO
+#undef UNSCOPED_INFO
+#undef FAIL
+#undef FAIL_CHECK
+#define INFO(message) INTERNAL_CATCH_INFO("INFO", (::rt::test::Text() << message).str())
+#define UNSCOPED_INFO(message) \
+    INTERNAL_CATCH_UNSCOPED_INFO("UNSCOPED_INFO", (::rt::test::Text() << message).str())
+#define FAIL(message)                                                                               \
+    INTERNAL_CATCH_MSG("FAIL", Catch::ResultWas::ExplicitFailure, Catch::ResultDisposition::Normal, \
+                       (::rt::test::Text() << message).str())
+#define FAIL_CHECK(message)                                             \
+    INTERNAL_CATCH_MSG("FAIL_CHECK", Catch::ResultWas::ExplicitFailure, \
+                       Catch::ResultDisposition::ContinueOnFailure, (::rt::test::Text() << message).str())
 
 #ifdef COURSE_TEST_MAIN
 namespace rt::test {

@@ -18,7 +18,8 @@ Mat4 translation(const Vec3& by);
 Mat4 scaling(const Vec3& by);
 
 /// [04.2] Matrix that rotates by `angle` radians about `axis` through the origin, counterclockwise seen
-/// from the axis's tip (Rodrigues 1840). The axis may have any length but 0.
+/// from the axis's tip (Rodrigues 1840). The axis may have any length but 0. Each element is right to a few
+/// roundings.
 Mat4 rotation(const Vec3& axis, Real angle);
 
 /// The matrix of one step. Given.

@@ -13,13 +13,13 @@ Vec3 reflect(const Vec3& d, const Vec3& n);
 /// [07.2] Refracted unit direction by Snell's law, or nothing where reflection is total.
 ///
 /// d: unit, towards the surface; n: unit, against d (d·n ≤ 0); `eta` = ior before / ior behind the surface.
-/// The sign of 1 − eta²·sin² is looked at before its root is taken, so no NaN ever appears; at exactly the
-/// critical angle the direction lies in the surface.
+/// The sign of 1 − eta²·sin² is looked at before its root is taken, so no NaN ever appears; at the critical
+/// angle the direction lies in the surface. Within a few roundings of that angle either answer is right.
 std::optional<Vec3> refract(const Vec3& d, const Vec3& n, Real eta);
 
 /// [07.3] Reflected part R of unpolarised light at a dielectric, exactly (Fresnel 1823); the transmitted
 /// part is 1 − R. `cos_i` = |d·n| in [0, 1]; eta as in refract. 1 where reflection is total and where
-/// grazing.
+/// grazing. Right to about four roundings of each step, however cosₜ² is associated.
 Real fresnel(Real cos_i, Real eta);
 
 /// [07.3] The same by Schlick's approximation F0 + (1 − F0)(1 − cos)⁵ (1994). The cosine is that on the

@@ -22,7 +22,8 @@ Bounds cell_box(const GridShape& shape, const Cells& cell);
 /// only; with a box that was grown by more than rounding it never says no wrongly.
 bool overlaps(const Sphere& sphere, const Bounds& box);
 /// [09.4] Whether some point of the triangle may lie in the box, by separating axes: the box's three, the
-/// triangle's normal, and the nine cross products of their edges (Akenine-Möller 2001).
+/// triangle's normal, and the nine cross products of their edges (Akenine-Möller 2001). May say yes wrongly
+/// as for a sphere, and where products of the triangle's edges underflow.
 bool overlaps(const Triangle& triangle, const Bounds& box);
 /// Whether the bounds of the shape meet the box. Given.
 bool overlaps(const Bounds& shape, const Bounds& box);

@@ -117,8 +117,13 @@ ChapterResult judge_program(const Project& project, const Chapter& chapter, cons
     // Without a test that started, it is the program itself that dies: trying again would not help.
     const bool hopeless = !all.death.empty() && all.report.ended.empty() && !all.report.died_in;
     for (const Step& step : chapter.steps) {
-        if (all.death.empty()) {
-            result.steps.push_back(judge(step.id, all.report.ended));
+        // What failed before the end says more than the end does: plain tests run first.
+        const StepResult ended = judge(step.id, all.report.ended);
+        const bool has_failed = std::any_of(
+            all.report.ended.begin(), all.report.ended.end(),
+            [&](const TestRun& test) { return test.state == State::Failed && concerns(test, step.id); });
+        if (all.death.empty() || has_failed) {
+            result.steps.push_back(ended);
         } else if (hopeless || (all.report.died_in && concerns(*all.report.died_in, step.id))) {
             result.steps.push_back(died(step.id, all));
         } else {

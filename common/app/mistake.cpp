@@ -1,4 +1,5 @@
-// A known mistake: what a student might do wrong, as a change to the solution that the tests must catch.
+// Changes to the solution: known mistakes, which the tests must catch, and right variants, which they must
+// accept.
 #include "common/app/mistake.hpp"
 
 #include "common/app/exercise.hpp"
@@ -54,8 +55,10 @@ Mistake parse_mistake(std::string_view text, const std::string& name) {
         } else if (part == Part::To) {
             mistake.replacements.back().to += line + "\n";
         } else if (!line.empty() && !read_key(line, "step", mistake.step) &&
-                   !read_key(line, "file", mistake.file) && !read_key(line, "why", mistake.why)) {
-            fail(name, number, "expected 'step', 'file', 'why' or '--- replace', not '" + line + "'");
+                   !read_key(line, "file", mistake.file) && !read_key(line, "why", mistake.why) &&
+                   !read_key(line, "shows", mistake.shows)) {
+            fail(name, number,
+                 "expected 'step', 'file', 'why', 'shows' or '--- replace', not '" + line + "'");
         }
     }
     const int last = static_cast<int>(std::max<std::size_t>(lines.size(), 1));

@@ -1,4 +1,5 @@
-// A known mistake: what a student might do wrong, as a change to the solution that the tests must catch.
+// Changes to the solution: known mistakes, which the tests must catch, and right variants, which they must
+// accept.
 #pragma once
 
 #include <string>
@@ -14,11 +15,12 @@ struct Replacement {
     int line = 0;  ///< of its `--- replace` in the mistake file
 };
 
-/// A file of tests/NN_name/mistakes/.
+/// A file of tests/NN_name/mistakes/ or of tests/NN_name/variants/.
 struct Mistake {
-    std::string step;  ///< whose tests must fail
-    std::string file;  ///< of the solution
-    std::string why;
+    std::string step;   ///< whose tests must fail; of a variant, which it writes in another way
+    std::string file;   ///< of the solution
+    std::string why;    ///< it is wrong; of a variant, why it is right
+    std::string shows;  ///< what the failure that is shown must say, such as its test's name; may be empty
     std::vector<Replacement> replacements;
 };
 
@@ -26,7 +28,7 @@ struct Mistake {
 /// missing step, file or reason, an unknown line, and a group that is not complete.
 Mistake parse_mistake(std::string_view text, const std::string& name);
 
-/// The solution with the mistake in it. Throws InputError, with the mistake's file and line, if a text to
+/// The solution with the change in it. Throws InputError, with the change's file and line, if a text to
 /// replace does not stand in the solution exactly once.
 std::string apply_mistake(const Mistake& mistake, const std::string& solution, const std::string& name);
 

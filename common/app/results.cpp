@@ -94,6 +94,10 @@ TestReport read_report(std::string_view text) {
     return report;
 }
 
+bool is_family(const TestRun& test) {
+    return std::find(test.steps.begin(), test.steps.end(), family_tag) != test.steps.end();
+}
+
 StepResult judge(const std::string& step, const std::vector<TestRun>& tests) {
     int total = 0, passed = 0;
     const TestRun *failure = nullptr, *own_todo = nullptr, *other_todo = nullptr;
@@ -101,7 +105,9 @@ StepResult judge(const std::string& step, const std::vector<TestRun>& tests) {
         if (std::find(test.steps.begin(), test.steps.end(), step) == test.steps.end()) continue;
         ++total;
         if (test.state == State::Passed) ++passed;
-        if (test.state == State::Failed && !failure) failure = &test;
+        // Of a family's thousands of extreme cases one is hard to read: what a plain test says comes first.
+        if (test.state == State::Failed && (!failure || (is_family(*failure) && !is_family(test))))
+            failure = &test;
         if (test.state == State::Todo) (test.missing == step ? own_todo : other_todo) = &test;
     }
     if (total == 0) return {step, State::Failed, fmt::format("no test has the tag [{}]", step)};

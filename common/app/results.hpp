@@ -36,7 +36,7 @@ int count(const ChapterResult& result, State state);
 /// One test case as the report of a test program (tests/main.cpp) tells it.
 struct TestRun {
     std::string name;
-    std::vector<std::string> steps;
+    std::vector<std::string> steps;  ///< all its tags
     State state = State::Todo;
     std::string message;
     std::string missing;  ///< the step that is not started, where `state` is Todo
@@ -52,7 +52,12 @@ struct TestReport {
 /// Reads a report. Lines that are not whole, or not a report's, end it.
 TestReport read_report(std::string_view text);
 
-/// What these test cases say about a step. A step that no test names has failed.
+/// The tag of tests that put whole families of extreme cases, beside the step's own.
+inline constexpr const char* family_tag = "stability";
+bool is_family(const TestRun& test);
+
+/// What these test cases say about a step; of those that failed, the first plain one speaks, else the first
+/// family. A step that no test names has failed.
 StepResult judge(const std::string& step, const std::vector<TestRun>& tests);
 
 /// What is known about a chapter without building anything.

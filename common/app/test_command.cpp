@@ -84,6 +84,12 @@ void run_program(const Project& project, const std::string& name, bool quick, Pa
         const std::string why = test.state == State::Todo ? "waits for step " + test.missing : test.message;
         part.expect(test.state == State::Passed, test.name + "\n" + why);
     }
+    const std::vector<TestRun>& ended = outcome.report.ended;
+    const auto first_family = std::find_if(ended.begin(), ended.end(), is_family);
+    const auto late = std::find_if_not(first_family, ended.end(), is_family);
+    part.expect(late == ended.end(),
+                fmt::format("{}: the plain test \"{}\" comes after a family of extreme cases", name,
+                            late == ended.end() ? "" : late->name));
     if (!outcome.death.empty())
         part.expect(false, fmt::format("{} {} in \"{}\"", name, outcome.death,
                                        outcome.report.died_in ? outcome.report.died_in->name : "no test"));
@@ -120,6 +126,10 @@ void expect_caught(const Project& project, const KnownMistake& known, Part& part
     part.expect(outcome.death.empty() && result.state == State::Failed,
                 fmt::format("{} is not caught by the tests of step {} ({}): {}", known.program,
                             known.mistake.step, state, known.mistake.why));
+    if (known.mistake.shows.empty() || result.state != State::Failed) return;
+    part.expect(result.message.find(known.mistake.shows) != std::string::npos,
+                fmt::format("{} is caught, but its message does not say '{}':\n{}", known.program,
+                            known.mistake.shows, result.message));
 }
 
 /// All of them, or if `quick` one a step: most of the time goes into building them.
@@ -144,6 +154,65 @@ void test_mistakes(const Project& project, const std::vector<Chapter>& chapters,
         });
         part.expect(count >= 2, fmt::format("chapter {} has {}; at least 2 are expected", chapter.number,
                                             counted(count, "known mistake")));
+    }
+}
+
+// ---------------------------------------------------------------------------------------- variants
+
+/// The right variants of each program variants_NN_k of the chapter, in the order of k: those that are the
+/// k-th of their step.
+std::vector<std::vector<Mistake>> right_variants(const Project& project, const Chapter& chapter) {
+    const fs::path directory = project.root / "tests" / chapter.name / "variants";
+    std::vector<fs::path> files;
+    if (fs::is_directory(directory))
+        for (const auto& entry : fs::directory_iterator(directory))
+            if (entry.path().extension() == ".variant") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+
+    std::vector<std::vector<Mistake>> programs;
+    std::string last;
+    std::size_t k = 0;
+    for (const fs::path& file : files) {
+        const Mistake variant = parse_mistake(read_file(file), relative(project, file));
+        k = variant.step == last ? k + 1 : 0;
+        last = variant.step;
+        if (k == programs.size()) programs.emplace_back();
+        programs[k].push_back(variant);
+    }
+    return programs;
+}
+
+/// Every step must pass however it is written: all the variants, or if `quick` the first of each step.
+void test_variants(const Project& project, const std::vector<Chapter>& chapters, bool quick, Part& part) {
+    std::vector<std::string> programs;
+    for (const Chapter& chapter : chapters) {
+        const std::size_t count = right_variants(project, chapter).size();
+        for (std::size_t k = 0; k < (quick ? std::min<std::size_t>(count, 1) : count); ++k)
+            programs.push_back(fmt::format("variants_{}_{}", chapter.number, k + 1));
+    }
+    const std::vector<std::string> good = built(project, programs, part);
+    for (const Chapter& chapter : chapters) {
+        const std::vector<std::vector<Mistake>> variants = right_variants(project, chapter);
+        for (const Step& step : chapter.steps) {
+            if (variants.empty()) break;  // a chapter that has none yet
+            const auto count = std::count_if(variants.begin(), variants.end(), [&](const auto& together) {
+                return std::any_of(together.begin(), together.end(),
+                                   [&](const Mistake& variant) { return variant.step == step.id; });
+            });
+            part.expect(count >= 2, fmt::format("step {} has {}; at least 2 are expected", step.id,
+                                                counted(count, "right variant")));
+        }
+        for (std::size_t k = 0; k < variants.size(); ++k) {
+            const std::string name = fmt::format("variants_{}_{}", chapter.number, k + 1);
+            if (std::find(good.begin(), good.end(), name) == good.end()) continue;
+            for (const StepResult& step : judge_program(project, chapter, name).steps) {
+                std::string which = "the solution";
+                for (const Mistake& variant : variants[k])
+                    if (variant.step == step.id) which = variant.why;
+                part.expect(step.state == State::Passed, fmt::format("{}: step {} is refused ({}): {}", name,
+                                                                     step.id, which, step.message));
+            }
+        }
     }
 }
 
@@ -211,6 +280,8 @@ int run_test(bool quick, bool json) {
 
     parts.push_back(
         timed("known mistakes", json, [&](Part& part) { test_mistakes(project, chapters, quick, part); }));
+    parts.push_back(
+        timed("right variants", json, [&](Part& part) { test_variants(project, chapters, quick, part); }));
     if (!is_students_tree(project, chapters))
         parts.push_back(
             timed("exercises", json, [&](Part& part) { test_exercises(project, chapters, part); }));

@@ -1,6 +1,7 @@
 // course-tool: what the build itself needs, small so that nothing waits for the whole program.
 //   course-tool exercise IN OUT            the exercise of a solution
-//   course-tool mistake FILE DIR OUT       the solution in DIR with a known mistake
+//   course-tool change FILE... DIR OUT     the solution in DIR with known mistakes or right variants of one
+//   file
 #include "common/app/exercise.hpp"
 #include "common/app/mistake.hpp"
 #include "common/math/input_error.hpp"
@@ -37,13 +38,18 @@ int run(const std::vector<std::string>& arguments) {
         write(arguments[2], rt::exercise_text(read(arguments[1]), arguments[1]));
         return 0;
     }
-    if (arguments.size() == 4 && arguments[0] == "mistake") {
-        const rt::Mistake mistake = rt::parse_mistake(read(arguments[1]), arguments[1]);
-        const std::string solution = read(fs::path(arguments[2]) / mistake.file);
-        write(arguments[3], rt::apply_mistake(mistake, solution, arguments[1]));
+    if (arguments.size() >= 4 && arguments[0] == "change") {
+        const fs::path directory = arguments[arguments.size() - 2];
+        std::string text;
+        for (std::size_t i = 1; i + 2 < arguments.size(); ++i) {
+            const rt::Mistake change = rt::parse_mistake(read(arguments[i]), arguments[i]);
+            if (i == 1) text = read(directory / change.file);
+            text = rt::apply_mistake(change, text, arguments[i]);
+        }
+        write(arguments.back(), text);
         return 0;
     }
-    std::fprintf(stderr, "usage: course-tool exercise IN OUT | course-tool mistake FILE DIR OUT\n");
+    std::fprintf(stderr, "usage: course-tool exercise IN OUT | course-tool change FILE... DIR OUT\n");
     return 2;
 }
 

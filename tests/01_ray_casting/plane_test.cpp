@@ -2,7 +2,6 @@
 #include "chapters/01_ray_casting/plane.hpp"
 
 #include "common/math/error.hpp"
-#include "tests/01_ray_casting/show.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 

@@ -3,7 +3,6 @@
 
 #include "chapters/01_ray_casting/camera.hpp"
 #include "common/math/error.hpp"
-#include "tests/01_ray_casting/show.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 

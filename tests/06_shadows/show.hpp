@@ -1,4 +1,4 @@
-// How failing tests of this chapter show what went in and what came out; and worlds of a few shapes.
+// Worlds of a few shapes; how values are printed stands in tests/show.hpp.
 #pragma once
 
 #include "chapters/06_shadows/shadow.hpp"
@@ -10,16 +10,6 @@
 #include <vector>
 
 namespace rt::test {
-
-inline std::string show(const Surface& surface) {
-    return "surface at " + show(surface.point) + " +- " + show(surface.error) + ", normal " +
-           show(surface.normal);
-}
-
-inline std::string show(const ShadowRay& shadow) {
-    return "shadow ray from " + show(shadow.ray.origin) + " along " + show(shadow.ray.direction) + " in (" +
-           show(shadow.range.min) + ", " + show(shadow.range.max) + "]";
-}
 
 /// A shape and which part of light it lets through.
 struct Thing {

@@ -100,7 +100,8 @@ TEST_CASE("Fresnel's reflectance is right on the same cases", "[07.3][stability]
     cancelling.must_have_failed();
 }
 
-TEST_CASE("what is reflected and what goes through make 1, to 4 roundings", "[07.3][stability]") {
+TEST_CASE("what is reflected and what goes through make 1, to 4 roundings of each step",
+          "[07.3][stability]") {
     if (!have_precise) return;
     Naive cancelling{"1 - eta²(1 - cos²)"};
     for (const InterfaceFamily& family : interface_families()) {

@@ -11,6 +11,7 @@
 
 using namespace rt;
 using rt::test::cases;
+using rt::test::show;
 
 namespace {
 
@@ -20,12 +21,6 @@ constexpr Real u = unit_roundoff;
 Vec2 normal_pair(test::Random& random) {
     const Real r = std::sqrt(-2 * std::log(1 - random.uniform(0, 1))), phi = random.uniform(0, 2 * pi);
     return {r * std::cos(phi), r * std::sin(phi)};
-}
-
-std::string show(const std::vector<int>& counts) {
-    std::string text;
-    for (const int count : counts) text += std::to_string(count) + " ";
-    return text;
 }
 
 std::vector<int> counts_of(const std::vector<Real>& deviations, long long total) {
@@ -148,7 +143,7 @@ TEST_CASE("mean and standard error of 1, 2, 3, 4", "[08.7]") {
     const Real expected = std::sqrt(Real(5) / 12);
     INFO("mean " << e.mean.x << ", standard error " << e.standard_error.x << ", expected " << expected);
     CHECK(e.mean == Vec3(2.5, 7, -2.5));
-    CHECK(std::abs(e.standard_error.x - expected) <= 2 * u);
+    CHECK(test::near(e.standard_error.x, expected, 4 * u));
     CHECK(e.standard_error.y == 0);
     CHECK(e.standard_error.z == e.standard_error.x);
 }

@@ -114,6 +114,35 @@ TEST_CASE("no two samples are nearer than the distance that is returned", "[08.3
     }
 }
 
+TEST_CASE("the distance shrinks only when 32·count darts in a row were refused", "[08.3]") {
+    // The throwing of darts again, each compared with all samples: what distance is left when it is through?
+    const auto distance_of = [](int count, Random random) {
+        std::vector<Vec2> samples;
+        Real distance = 0.7 * densest(count);
+        for (int refused = 0; static_cast<int>(samples.size()) < count;) {
+            const Vec2 dart = random_point(random);
+            const bool near = std::any_of(samples.begin(), samples.end(), [&](const Vec2& sample) {
+                return torus_distance(sample, dart) < distance;
+            });
+            if (!near) samples.push_back(dart);
+            refused = near ? refused + 1 : 0;
+            if (refused == 32 * count) {
+                distance *= 0.95;
+                refused = 0;
+            }
+        }
+        return distance;
+    };
+    for (const int count : {5, 12, 40, 100})
+        for (std::uint64_t which = 0; which < 10; ++which) {
+            const Random random = random_for(8, static_cast<std::uint64_t>(count), which);
+            INFO(count << " samples of random_for(8, " << count << ", " << which
+                       << "); a dart that sticks begins the count of those refused anew");
+            const Real expected = distance_of(count, random);
+            REQUIRE(test::near(poisson_disk_samples(count, random).distance, expected, 1e-12 * expected));
+        }
+}
+
 TEST_CASE("equal random sequences make equal Poisson disk patterns", "[08.3]") {
     const PoissonDisk a = poisson_disk_samples(16, random_for(1, 2, 3)),
                       b = poisson_disk_samples(16, random_for(1, 2, 3));

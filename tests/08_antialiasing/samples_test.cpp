@@ -10,12 +10,11 @@
 
 using namespace rt;
 using rt::test::cases;
+using rt::test::show;
 
 namespace {
 
 constexpr Real u = unit_roundoff;
-
-std::string show(const Vec2& p) { return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")"; }
 
 bool inside(const Stratum& part, const Vec2& p) {
     return p.x >= part.low.x && p.x < part.high.x && p.y >= part.low.y && p.y < part.high.y;
@@ -208,6 +207,26 @@ TEST_CASE("each stratum has one jittered sample, and all weigh the same", "[08.2
     }
 }
 
+TEST_CASE("jittered samples come everywhere in their strata", "[08.2]") {
+    const std::vector<Stratum> parts = strata(4);
+    std::vector<Vec2> least(4, Vec2(infinity)), greatest(4, Vec2(-infinity));
+    for (std::uint64_t k = 0; k < 500; ++k) {
+        const std::vector<PixelSample> samples = jittered_samples(4, random_for(5, k, 0));
+        REQUIRE(samples.size() == 4);
+        for (std::size_t i = 0; i < 4; ++i) {
+            least[i] = glm::min(least[i], samples[i].at);
+            greatest[i] = glm::max(greatest[i], samples[i].at);
+        }
+    }
+    // Of 500 uniform numbers the least is above 0.05 with a probability of 0.95^500, which is 1e-11.
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec2 side = parts[i].high - parts[i].low;
+        INFO(show(parts[i]) << ": its samples lie from " << least[i] << " to " << greatest[i]);
+        CHECK(test::near(least[i], parts[i].low + 0.025 * side, 0.025 * side.x));
+        CHECK(test::near(greatest[i], parts[i].high - 0.025 * side, 0.025 * side.x));
+    }
+}
+
 TEST_CASE("even the greatest random number leaves a sample in its stratum", "[08.2]") {
     for (const int count : {1, 2, 3, 4, 9, 10, 16, 25}) {
         const std::vector<Stratum> parts = strata(count);
@@ -342,7 +361,7 @@ TEST_CASE("trapezoid weights sum to 1, and make the mean of a slope and of a sad
         while ((m + 2) * (m + 2) <= count) ++m;
         REQUIRE(samples.size() == static_cast<std::size_t>((m + 1) * (m + 1)));
         CHECK(samples.front().at == Vec2(0));
-        CHECK(samples.back().at == Vec2(1));
+        CHECK(test::near(samples.back().at, Vec2(1), 2 * u));
         Real slope = 0, saddle = 0;
         for (const PixelSample& sample : samples) {
             slope += sample.weight * sample.at.x;

@@ -80,6 +80,18 @@ std::vector<Ray> rays_at_ball(int count) {
 
 }  // namespace
 
+TEST_CASE("a shape may be hit far ahead of the cell in which it is asked", "[09.7]") {
+    // The ray comes into its cells at a quarter of its length, and meets it near the end.
+    const std::vector<Triangle> triangles{{{0, 0.8, 0}, {10, 0.92, 0}, {10, 0.92, 2}}};
+    const Ray ray{{-1, 0.9, 0.5}, {1, 0, 0}};
+    const std::optional<Hit> alone = closest_hit(triangles, ray, {});
+    REQUIRE(alone);
+    const std::optional<Hit> hit = nearest(grid_of(triangles, {.density = 500}), triangles, ray);
+    INFO("asked without a grid: " << alone << "; with the grid: " << hit);
+    REQUIRE(hit);
+    CHECK(hit->t == alone->t);
+}
+
 TEST_CASE("the nearest of a row of spheres", "[09.7]") {
     const std::vector<Sphere> spheres = row_of_spheres(10);
     const Grid grid = grid_of(spheres);

@@ -1,37 +1,16 @@
-// How the tests of this chapter print rays, boxes and cells, with all digits, and small helpers.
+// Small helpers of the tests of this chapter; how they print values stands in tests/show.hpp.
 #pragma once
 
 #include "chapters/09_grids/walk.hpp"
-#include "tests/03_triangles/show.hpp"
-
-#include <ostream>
+#include "tests/show.hpp"
 
 namespace rt {
 
 inline bool operator==(const Bounds& a, const Bounds& b) { return a.low == b.low && a.high == b.high; }
-inline std::ostream& operator<<(std::ostream& out, const Bounds& box) {
-    return out << "box " << test::show(box.low) << " to " << test::show(box.high);
-}
-inline std::ostream& operator<<(std::ostream& out, const Interval& range) {
-    const auto precision = out.precision(17);
-    out << "[" << range.min << ", " << range.max << "]";
-    out.precision(precision);
-    return out;
-}
 
 }  // namespace rt
 
 namespace rt::test {
-
-inline std::string show(const Cells& c) {
-    return "(" + std::to_string(c.x) + ", " + std::to_string(c.y) + ", " + std::to_string(c.z) + ")";
-}
-
-inline std::string show(const std::vector<std::uint32_t>& numbers) {
-    std::string text = "{";
-    for (const std::uint32_t number : numbers) text += (text.size() > 1 ? ", " : "") + std::to_string(number);
-    return text + "}";
-}
 
 /// The numbers that the cell lists.
 inline std::vector<std::uint32_t> items_of(const Grid& grid, const Cells& cell) {

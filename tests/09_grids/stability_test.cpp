@@ -1,6 +1,9 @@
 // Grids against asking every shape, to the bit, on scenes and rays made to break them.
 // Families and demand: tests/stability/grids.hpp.
+#include "common/math/error.hpp"
+#include "tests/09_grids/visits.hpp"
 #include "tests/catch.hpp"
+#include "tests/oracle/box.hpp"
 #include "tests/stability/grids.hpp"
 #include "tests/support.hpp"
 
@@ -8,7 +11,7 @@
 
 using namespace rt;
 using namespace rt::stability;
-using rt::test::cases;
+using namespace rt::test;
 
 namespace {
 
@@ -37,6 +40,118 @@ void check_families(Judge judge, int rays) {
 }
 
 }  // namespace
+
+TEST_CASE("no part of a ray in a box is lost, and little is added, against exact arithmetic",
+          "[09.2][stability]") {
+    // Near and far are each off by 3 roundings of the distance, and 3 more for the widening; a little for
+    // second order. In units of u.
+    const Real allowed = 7;
+    Random random(94);
+    const auto whole = [&] { return static_cast<Real>(random.index(5)) - 2; };
+    int met = 0, lost_by_naive = 0;
+    const int all = cases(20'000);
+    for (int k = 0; k < all; ++k) {
+        const bool is_whole = random.index(2) == 0;
+        const Real scale = is_whole ? 1 : random.magnitude(-9, 9);
+        const auto place = [&] {
+            return is_whole ? Vec3(whole(), whole(), whole()) : scale * random.in_cube();
+        };
+        const Vec3 p = place(), q = place();
+        Bounds box{glm::min(p, q), glm::max(p, q)};
+        if (random.index(4) == 0) box.high[static_cast<int>(random.index(3))] = box.low.x;
+        box = {glm::min(box.low, box.high), glm::max(box.low, box.high)};
+
+        // From a place that often lies in a plane of the box, to another, or along an axis.
+        Ray ray{place(), place()};
+        for (int a = 0; a < 3; ++a) {
+            if (random.index(4) == 0) ray.origin[a] = random.index(2) == 0 ? box.low[a] : box.high[a];
+            if (random.index(4) == 0) ray.direction[a] = random.index(2) == 0 ? 0.0 : -0.0;
+        }
+        if (random.index(2) == 0) ray.origin -= random.uniform(0, 3) * ray.direction;
+        Interval range;
+        if (random.index(4) == 0) range = {-infinity, infinity};
+        if (random.index(4) == 0) range.max = random.uniform(0, 2);
+
+        const std::optional<Interval> actual = clip(box, ray, range);
+        const oracle::ClipTruth truth = oracle::judge_clip(box, ray, range, actual);
+        INFO("case " << k << ": " << box << ", " << show(ray) << " in " << range);
+        const Interval exact{truth.near, truth.far};
+        INFO("exact: " << (truth.inside ? "inside " : "outside ") << exact);
+        INFO("actual: " << (actual ? "inside " : "outside ") << actual.value_or(Interval{}));
+        CHECK_FALSE(truth.lost);
+        CHECK(truth.excess <= (truth.inside ? allowed : 2 * allowed));
+        met += truth.inside ? 1 : 0;
+        if (oracle::judge_clip(box, ray, range, naive::clip(box, ray, range)).lost) ++lost_by_naive;
+    }
+    CHECK(met > all / 5);
+    INFO("the naive slab test has to fail here, else the cases show nothing; it lost " << lost_by_naive);
+    CHECK(lost_by_naive > all / 100);
+}
+
+TEST_CASE("the walk is exact, and the one that adds up is not", "[09.6][stability]") {
+    Random random(920);
+    int undecided = 0, wrong_when_adding = 0;
+    const int all = cases(1000);
+    for (int k = 0; k < all; ++k) {
+        const auto count = [&] {
+            return 1 + static_cast<std::int32_t>(random.index(random.index(4) == 0 ? 100 : 12));
+        };
+        const Cells cells(count(), count(), count());
+        const Vec3 low = random.index(2) == 0 ? Vec3(0) : random.magnitude(-3, 3) * random.in_cube();
+        const Vec3 edges = random.index(2) == 0 ? Vec3(cells) : Vec3(random.uniform(0.5, 2)) * Vec3(cells);
+        const GridShape shape{{low, low + edges}, cells};
+        const Vec3 size = edges / Vec3(cells);
+        const auto place = [&] {
+            Vec3 p;
+            for (int a = 0; a < 3; ++a) {
+                const Real inside = random.uniform(-0.2, cells[a] * 1.2);
+                p[a] = low[a] + (random.index(3) == 0 ? std::floor(inside) : inside) * size[a];
+            }
+            return p;
+        };
+        Ray ray{place(), Vec3(0)};
+        ray.direction = place() - ray.origin;
+        for (int a = 0; a < 3; ++a)
+            if (random.index(5) == 0) ray.direction[a] = random.index(2) == 0 ? 0.0 : -0.0;
+        if (ray.direction == Vec3(0)) continue;
+        const std::optional<Interval> part = clip(shape.box, ray, {});
+        if (!part) continue;
+
+        const std::vector<CellVisit> visits = cells_along(shape, ray, {});
+        INFO("case " << k << ": " << shape.box << ", cells " << show(cells) << ", " << show(ray));
+        CHECK(fault_of(shape, ray, visits) == "");
+
+        // Boundaries that are nearer to each other than rounding may be crossed in either order.
+        const oracle::WalkTruth truth = oracle::judge_walk(shape, ray, *part);
+        if (truth.least_gap <= 16 * unit_roundoff) {
+            ++undecided;
+            continue;
+        }
+        CHECK(first_difference(cells_of(visits), truth.cells) == "");
+        if (cells_of(naive::cells_along(shape, ray, *part)) != truth.cells) ++wrong_when_adding;
+    }
+    CHECK(undecided < all / 2);
+
+    INFO("a long walk by additions has to lose its way, else nothing is shown");
+    const GridShape fine{{Vec3(0), Vec3(1000)}, Cells(1000)};
+    Real farthest_added = 0, farthest = 0;
+    for (int k = 0; k < 5; ++k) {
+        const Ray ray{Vec3(0.1, 0.2, 0.3) + 0.1 * random.in_cube(),
+                      Vec3(1, 0.997, 0.31) + 0.01 * random.in_cube()};
+        const auto error_of = [&](const std::vector<CellVisit>& visits) {
+            Real error = 0;
+            for (std::size_t i = 0; i < visits.size(); i += 97)
+                error =
+                    std::max(error, oracle::distance_from_cell(fine, visits[i].cell, ray, visits[i].t.min));
+            return error / (1000 * unit_roundoff);
+        };
+        farthest = std::max(farthest, error_of(cells_along(fine, ray, {})));
+        farthest_added = std::max(farthest_added, error_of(naive::cells_along(fine, ray, {0, 990})));
+    }
+    CAPTURE(wrong_when_adding, farthest, farthest_added);
+    CHECK(farthest <= allowed_outside);
+    CHECK(farthest_added > 4 * allowed_outside);
+}
 
 TEST_CASE("the nearest hit by a grid is, to the bit, the nearest of all", "[09.7][stability]") {
     check_families(judge_nearest, cases(100'000));

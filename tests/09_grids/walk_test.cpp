@@ -1,68 +1,11 @@
 // The cells along a ray: which, in which order, and for which part of the ray.
-#include "common/math/error.hpp"
-#include "tests/09_grids/show.hpp"
+#include "tests/09_grids/visits.hpp"
 #include "tests/catch.hpp"
 #include "tests/oracle/box.hpp"
-#include "tests/stability/grids.hpp"
 #include "tests/support.hpp"
 
-#include <cstdlib>
-
 using namespace rt;
-using rt::test::cases;
-using rt::test::Random;
-using rt::test::show;
-
-namespace {
-
-/// A box from 0 to the numbers of its cells: cells of edge 1.
-GridShape unit_cells(const Cells& cells) { return {{Vec3(0), Vec3(cells)}, cells}; }
-
-std::string show_all(const std::vector<Cells>& cells) {
-    std::string text;
-    for (const Cells& cell : cells) text += (text.empty() ? "" : " ") + show(cell);
-    return text;
-}
-
-std::vector<Cells> cells_of(const std::vector<CellVisit>& visits) {
-    std::vector<Cells> cells;
-    for (const CellVisit& visit : visits) cells.push_back(visit.cell);
-    return cells;
-}
-
-int steps_between(const Cells& a, const Cells& b) {
-    return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
-}
-
-/// How far, in units of u times the size of the numbers, the ray may be outside the cell that it is said to
-/// be in: 4 roundings a boundary in t, 2 in the box, and 3 in each of near and far.
-constexpr Real allowed = 16;
-
-/// What is wrong with the visits, whatever the order of cells; empty if nothing is.
-std::string fault_of(const GridShape& shape, const Ray& ray, const std::vector<CellVisit>& visits) {
-    const Cells& n = shape.cells;
-    if (visits.size() > static_cast<std::size_t>(n.x + n.y + n.z + 1))
-        return "more visits than nx + ny + nz + 1";
-    const Vec3 size =
-        glm::max(glm::max(glm::abs(shape.box.low), glm::abs(shape.box.high)), glm::abs(ray.origin));
-    const Real unit = unit_roundoff * std::max({size.x, size.y, size.z});
-    for (std::size_t i = 0; i < visits.size(); ++i) {
-        const auto& [cell, t] = visits[i];
-        const std::string which = "visit " + std::to_string(i) + " of cell " + show(cell);
-        if (glm::any(glm::lessThan(cell, Cells(0))) || glm::any(glm::greaterThanEqual(cell, n)))
-            return which + " is outside the grid";
-        if (!(t.min <= t.max)) return which + " ends before it begins";
-        if (i > 0 && t.min != visits[i - 1].t.max) return which + " does not begin where the last one ends";
-        if (i > 0 && steps_between(cell, visits[i - 1].cell) != 1)
-            return which + " is not next to the last one";
-        for (const Real s : {t.min, t.max, t.min + (t.max - t.min) / 2})
-            if (oracle::distance_from_cell(shape, cell, ray, s) > allowed * unit)
-                return which + ": the ray is not there at t = " + stability::literal(s);
-    }
-    return {};
-}
-
-}  // namespace
+using namespace rt::test;
 
 TEST_CASE("a ray along an axis visits a row of cells", "[09.6]") {
     const std::vector<CellVisit> visits =
@@ -132,8 +75,11 @@ TEST_CASE("the walk that was reported to lose its way in cells of 16", "[09.6]")
     const Vec3 from(-668, -340, 77), to(404, -64, -784);
     for (const Ray& ray : {Ray{from, to - from}, Ray{to, from - to}}) {
         const std::vector<CellVisit> visits = cells_along(shape, ray, {0, 1});
-        CHECK(fault_of(shape, ray, visits) == "");
         const oracle::WalkTruth truth = oracle::judge_walk(shape, ray, {0, 1});
+        // Where the ray crosses two boundaries at once, as at its end, either may come first.
+        INFO(show(ray) << ": " << visits.size() << " visits; "
+                       << first_difference(cells_of(visits), truth.cells));
+        CHECK(fault_of(shape, ray, visits) == "");
         // There are 67 boundaries from −668 to 404, 18 from −340 to −64 and 54 from 77 to −784; those at −64
         // and −784 are crossed at the end of the way there, and not at all at the beginning of the way back.
         CHECK(truth.cells.size() == (ray.origin == from ? 1 + 67 + 18 + 54 : 1 + 67 + 17 + 53));
@@ -160,69 +106,4 @@ TEST_CASE("a walk ends whatever the numbers", "[09.6]") {
             }
     INFO("a direction so small along x that the ray stays in its column");
     CHECK(cells_along(shape, {{3.5, 0, 1.5}, {least, 1, 0}}, {}).size() == 5);
-}
-
-TEST_CASE("the walk is exact, and the one that adds up is not", "[09.6][stability]") {
-    Random random(920);
-    int undecided = 0, wrong_when_adding = 0;
-    const int all = cases(1000);
-    for (int k = 0; k < all; ++k) {
-        const auto count = [&] {
-            return 1 + static_cast<std::int32_t>(random.index(random.index(4) == 0 ? 100 : 12));
-        };
-        const Cells cells(count(), count(), count());
-        const Vec3 low = random.index(2) == 0 ? Vec3(0) : random.magnitude(-3, 3) * random.in_cube();
-        const Vec3 edges = random.index(2) == 0 ? Vec3(cells) : Vec3(random.uniform(0.5, 2)) * Vec3(cells);
-        const GridShape shape{{low, low + edges}, cells};
-        const Vec3 size = edges / Vec3(cells);
-        const auto place = [&] {
-            Vec3 p;
-            for (int a = 0; a < 3; ++a) {
-                const Real inside = random.uniform(-0.2, cells[a] * 1.2);
-                p[a] = low[a] + (random.index(3) == 0 ? std::floor(inside) : inside) * size[a];
-            }
-            return p;
-        };
-        Ray ray{place(), Vec3(0)};
-        ray.direction = place() - ray.origin;
-        for (int a = 0; a < 3; ++a)
-            if (random.index(5) == 0) ray.direction[a] = random.index(2) == 0 ? 0.0 : -0.0;
-        if (ray.direction == Vec3(0)) continue;
-        const std::optional<Interval> part = clip(shape.box, ray, {});
-        if (!part) continue;
-
-        const std::vector<CellVisit> visits = cells_along(shape, ray, {});
-        INFO("case " << k << ": " << shape.box << ", cells " << show(cells) << ", " << show(ray));
-        CHECK(fault_of(shape, ray, visits) == "");
-
-        // Boundaries that are nearer to each other than rounding may be crossed in either order.
-        const oracle::WalkTruth truth = oracle::judge_walk(shape, ray, *part);
-        if (truth.least_gap <= 16 * unit_roundoff) {
-            ++undecided;
-            continue;
-        }
-        CHECK(show_all(cells_of(visits)) == show_all(truth.cells));
-        if (cells_of(naive::cells_along(shape, ray, *part)) != truth.cells) ++wrong_when_adding;
-    }
-    CHECK(undecided < all / 2);
-
-    INFO("a long walk by additions has to lose its way, else nothing is shown");
-    const GridShape fine{{Vec3(0), Vec3(1000)}, Cells(1000)};
-    Real farthest_added = 0, farthest = 0;
-    for (int k = 0; k < 5; ++k) {
-        const Ray ray{Vec3(0.1, 0.2, 0.3) + 0.1 * random.in_cube(),
-                      Vec3(1, 0.997, 0.31) + 0.01 * random.in_cube()};
-        const auto error_of = [&](const std::vector<CellVisit>& visits) {
-            Real error = 0;
-            for (std::size_t i = 0; i < visits.size(); i += 97)
-                error =
-                    std::max(error, oracle::distance_from_cell(fine, visits[i].cell, ray, visits[i].t.min));
-            return error / (1000 * unit_roundoff);
-        };
-        farthest = std::max(farthest, error_of(cells_along(fine, ray, {})));
-        farthest_added = std::max(farthest_added, error_of(naive::cells_along(fine, ray, {0, 990})));
-    }
-    CAPTURE(wrong_when_adding, farthest, farthest_added);
-    CHECK(farthest <= allowed);
-    CHECK(farthest_added > 4 * allowed);
 }

@@ -50,6 +50,11 @@ TEST_CASE("a mistake file is read whole") {
     CHECK(mistake.replacements[1].to.empty());
 }
 
+TEST_CASE("a mistake may say what its message shows") {
+    CHECK(parse_mistake(good, "m").shows.empty());
+    CHECK(parse_mistake("shows the roots ascend\n" + good, "m").shows == "the roots ascend");
+}
+
 TEST_CASE("all the groups of a mistake are applied") {
     const std::string solution = "x\n    a;\n    b;\ny\n    c;\nz\n";
     CHECK(apply_mistake(parse_mistake(good, "m"), solution, "m") == "x\n    b;\ny\nz\n");
@@ -70,5 +75,5 @@ TEST_CASE("an incomplete mistake file is refused") {
     CHECK(error_of(good.substr(0, good.rfind("--- end"))).find("not closed") != std::string::npos);
     CHECK(error_of(without(good, "--- with\n")).substr(0, 12) == "m.mistake:9:");
     CHECK(error_of("stop 02.2\n") ==
-          "m.mistake:1: expected 'step', 'file', 'why' or '--- replace', not 'stop 02.2'");
+          "m.mistake:1: expected 'step', 'file', 'why', 'shows' or '--- replace', not 'stop 02.2'");
 }

@@ -68,6 +68,14 @@ TEST_CASE("a step has failed if any of its tests has") {
     CHECK(result.message == "a test\na.cpp:1: CHECK( x )");
 }
 
+TEST_CASE("a plain test speaks before a family of extreme cases, whichever failed first") {
+    TestRun family = run(State::Failed, {"02.1", "stability"}), plain = run(State::Failed, {"02.1"});
+    family.name = "a family";
+    CHECK(judge("02.1", {family, plain}).message == "a test\na.cpp:1: CHECK( x )");
+    CHECK(judge("02.1", {plain, family}).message == "a test\na.cpp:1: CHECK( x )");
+    CHECK(judge("02.1", {family, run(State::Passed, {"02.1"})}).message == "a family\na.cpp:1: CHECK( x )");
+}
+
 TEST_CASE("a step is todo while a function that its tests need is not started") {
     CHECK(judge("02.1", {run(State::Todo, {"02.1"}, "02.1")}).state == State::Todo);
     CHECK(judge("02.1", {run(State::Todo, {"02.1"}, "02.1")}).message.empty());

@@ -163,6 +163,27 @@ Truth truth_of(const InterfaceCase& item) {
     return truth;
 }
 
+/// Whether a few roundings of its terms decide the sign of cosₜ².
+bool is_near_critical(Precise eta, Precise c, Precise cos_t_squared) {
+    return std::abs(cos_t_squared) <= 16 * unit_roundoff * eta * eta * c * c;
+}
+
+/// The reflected part, and how much of a relative error of u in each step it shows.
+struct Reflectance {
+    Precise exact = 0;
+    Precise kappa = 0;
+};
+Reflectance reflectance_of(Precise eta, Precise c, Precise cos_t_squared) {
+    const Precise cos_t = std::sqrt(cos_t_squared);
+    Precise exact = 0, slope = 0;
+    for (const Precise x : {eta * cos_t / c, cos_t / (eta * c)}) {
+        const Precise r = (1 - x) / (1 + x);
+        exact += r * r / 2;
+        slope += std::abs(r) * 2 * x / ((1 + x) * (1 + x));
+    }
+    return {exact, 1 + slope * (1 + eta * eta * c * c / cos_t_squared)};
+}
+
 bool is_unit(const Vec3& v) { return std::abs(length(precise(v)) - 1) <= 4 * unit_roundoff; }
 
 Precise wrong() { return std::numeric_limits<Precise>::infinity(); }
@@ -236,21 +257,14 @@ Verdict judge_reflectance(std::span<const CosineCase> cases, std::span<const Rea
         const Precise c = cases[i].cos_i, eta = cases[i].eta;
         const Precise cos_t_squared = (1 - eta) * (1 + eta) + eta * eta * c * c;
         Precise error = 0;
-        if (std::abs(cos_t_squared) <= 16 * unit_roundoff * eta * eta * c * c) {
+        if (is_near_critical(eta, c, cos_t_squared)) {
             ++verdict.undecided;
             error = answers[i] >= 0 && answers[i] <= 1 + 8 * unit_roundoff ? 0 : wrong();
         } else if (cos_t_squared < 0 || c == 0) {
             error = answers[i] == 1 ? 0 : wrong();
         } else {
-            const Precise cos_t = std::sqrt(cos_t_squared);
-            Precise exact = 0, slope = 0;
-            for (const Precise x : {eta * cos_t / c, cos_t / (eta * c)}) {
-                const Precise r = (1 - x) / (1 + x);
-                exact += r * r / 2;
-                slope += std::abs(r) * 2 * x / ((1 + x) * (1 + x));
-            }
-            const Precise kappa = 1 + slope * (1 + eta * eta * c * c / cos_t_squared);
-            error = std::abs(answers[i] - exact) / (8 * kappa * unit_roundoff);
+            const Reflectance truth = reflectance_of(eta, c, cos_t_squared);
+            error = std::abs(answers[i] - truth.exact) / (8 * truth.kappa * unit_roundoff);
         }
         count(verdict, cases[i], error, literal(answers[i]));
     }
@@ -261,16 +275,21 @@ Verdict judge_energy(std::span<const CosineCase> cases, std::span<const Real> an
     Verdict verdict;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         ++verdict.cases;
-        const Real c = cases[i].cos_i, eta = cases[i].eta;
-        const Real cos_t_squared = (1 - eta) * (1 + eta) + (eta * c) * (eta * c);
-        Precise through = 0;
+        const Precise c = cases[i].cos_i, eta = cases[i].eta;
+        const Precise cos_t_squared = (1 - eta) * (1 + eta) + eta * eta * c * c;
+        if (is_near_critical(eta, c, cos_t_squared)) {
+            ++verdict.undecided;
+            continue;
+        }
+        Precise through = 0, kappa = 1;
         if (c > 0 && cos_t_squared > 0) {
             // Transmitted amplitudes 2·eta·c/(...), times the ratio of the beams' widths and speeds.
-            const Precise a = static_cast<Precise>(eta) * c, b = std::sqrt(cos_t_squared);
+            const Precise a = eta * c, b = std::sqrt(cos_t_squared);
             const Precise parallel = 2 * a / (c + eta * b), perpendicular = 2 * a / (a + b);
             through = b / a * (parallel * parallel + perpendicular * perpendicular) / 2;
+            kappa = reflectance_of(eta, c, cos_t_squared).kappa;
         }
-        const Precise error = std::abs(answers[i] + through - 1) / (4 * unit_roundoff);
+        const Precise error = std::abs(answers[i] + through - 1) / (4 * kappa * unit_roundoff);
         count(verdict, cases[i], error, literal(answers[i]));
     }
     return verdict;

@@ -55,7 +55,8 @@ std::vector<CosineCase> cosine_cases(const InterfaceFamily& family, std::size_t 
 /// where reflection is total.
 Verdict judge_reflectance(std::span<const CosineCase> cases, std::span<const Real> answers);
 
-/// Judges R + T = 1 ± 4u, with T from the transmitted amplitudes (not from R).
+/// Judges R + T = 1 ± 4κu, with T from the transmitted amplitudes (not from R) and κ as above: R is right to
+/// four roundings of each of its steps.
 Verdict judge_energy(std::span<const CosineCase> cases, std::span<const Real> answers);
 
 }  // namespace rt::stability

@@ -1,0 +1,271 @@
+// How values are written in the messages of failing tests: `show(value)`, which CHECK, INFO and CAPTURE use
+// by themselves (tests/catch.hpp). One header for all the tests, because a type must print alike in all of
+// them.
+#pragma once
+
+#include "chapters/02_spheres/quadratic.hpp"
+#include "chapters/05_lighting/lighting.hpp"
+#include "chapters/06_shadows/shadow.hpp"
+#include "chapters/07_recursion/radiance.hpp"
+#include "chapters/08_antialiasing/estimate.hpp"
+#include "chapters/08_antialiasing/film.hpp"
+#include "chapters/09_grids/walk.hpp"
+#include "common/scene/world.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <concepts>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rt {
+// Of samples.hpp, which stays out: its Random is another than the tests'.
+struct PixelSample;
+struct Stratum;
+}  // namespace rt
+
+namespace rt::test {
+
+// Templates take no argument that would have to be converted: a whole number is not shown as a Real, nor
+// a cell as a point.
+
+/// The fewest digits that tell the number from every other one: 0.1, 1e-20, -0.
+template <std::same_as<Real> Number>
+std::string show(Number x) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
+}
+
+std::string show(std::integral auto number) { return std::to_string(number); }
+
+/// (1, 2.5, -3)
+template <int N, class T, glm::qualifier Q>
+std::string show(const glm::vec<N, T, Q>& v) {
+    std::string text = "(";
+    for (int i = 0; i < N; ++i) text += (i > 0 ? ", " : "") + show(v[i]);
+    return text + ")";
+}
+
+/// Row by row, as on paper.
+template <int Columns, int Rows, glm::qualifier Q>
+std::string show(const glm::mat<Columns, Rows, Real, Q>& m) {
+    std::string text;
+    for (int r = 0; r < Rows; ++r) {
+        text += "\n  |";
+        for (int c = 0; c < Columns; ++c) text += " " + show(m[c][r]);
+        text += " |";
+    }
+    return text;
+}
+
+/// (0, inf]
+inline std::string show(const Interval& range) {
+    return "(" + show(range.min) + ", " + show(range.max) + "]";
+}
+
+inline std::string show(const Ray& ray) {
+    return "ray from " + show(ray.origin) + " along " + show(ray.direction);
+}
+
+// Shapes, and what a ray finds out about them.
+
+inline std::string show(const Plane& plane) {
+    return "plane through " + show(plane.point) + " with normal " + show(plane.normal);
+}
+
+inline std::string show(const Sphere& sphere) {
+    return "sphere around " + show(sphere.center) + " of radius " + show(sphere.radius);
+}
+
+inline std::string show(const Triangle& t) {
+    return "triangle " + show(t.a) + ", " + show(t.b) + ", " + show(t.c);
+}
+
+inline std::string show(const Polygon& polygon) {
+    std::string text = "polygon";
+    for (const Vec3& vertex : polygon.vertices) text += " " + show(vertex);
+    return text;
+}
+
+inline std::string show(const Transform& transform) { return "transform" + show(transform.to_world); }
+
+inline std::string show(const Bounds& box) { return "box from " + show(box.low) + " to " + show(box.high); }
+
+inline std::string show(const Roots& roots) {
+    if (roots.count == 0) return "no roots";
+    if (roots.count == 1) return "one root: t0 = " + show(roots.t0) + ", t1 = " + show(roots.t1);
+    return show(roots.count) + " roots: t0 = " + show(roots.t0) + ", t1 = " + show(roots.t1);
+}
+
+/// Only what was set: a plane's hit has no uv.
+inline std::string show(const Hit& hit) {
+    std::string text = "hit of " + show(hit.primitive) + " at t = " + show(hit.t);
+    if (hit.uv != Vec2(0)) text += ", uv " + show(hit.uv);
+    if (hit.element != 0) text += ", element " + show(hit.element);
+    return text;
+}
+
+inline std::string show(const Surface& surface) {
+    std::string text = "surface at " + show(surface.point) + " +- " + show(surface.error) + ", normal " +
+                       show(surface.normal);
+    if (surface.shading_normal != surface.normal) text += ", shading normal " + show(surface.shading_normal);
+    if (surface.uv != Vec2(0)) text += ", uv " + show(surface.uv);
+    return text;
+}
+
+// The camera, light, and the tree of rays.
+
+inline std::string show(const CameraFrame& frame) {
+    return "u = " + show(frame.u) + "\nv = " + show(frame.v) + "\nw = " + show(frame.w);
+}
+
+inline std::string show(const PointLight& light) {
+    return "point light at " + show(light.position) + ", colour " + show(light.color) + ", attenuation " +
+           show(light.attenuation);
+}
+
+inline std::string show(const DirectionalLight& light) {
+    return "light from " + show(light.direction) + ", colour " + show(light.color);
+}
+
+inline std::string show(const LightSample& sample) {
+    return "direction " + show(sample.direction) + ", distance " + show(sample.distance) + ", colour " +
+           show(sample.color);
+}
+
+inline std::string show(const ShadowRay& shadow) {
+    return "shadow " + show(shadow.ray) + " in " + show(shadow.range);
+}
+
+inline std::string show(const Branch& branch) {
+    const char* kinds[] = {"camera", "mirrored", "refracted"};
+    return std::string(kinds[static_cast<int>(branch.kind)]) + " " + show(branch.ray) + ", weight " +
+           show(branch.weight) + ", depth " + show(branch.depth);
+}
+
+// Samples and grids.
+
+template <std::same_as<PixelSample> Sample>
+std::string show(const Sample& sample) {
+    return "sample at " + show(sample.at) + " that weighs " + show(sample.weight);
+}
+
+template <std::same_as<Stratum> Part>
+std::string show(const Part& part) {
+    return "stratum from " + show(part.low) + " to " + show(part.high);
+}
+
+inline std::string show(const FilmPixel& pixel) {
+    return "sum " + show(pixel.sum) + " (lost " + show(pixel.lost) + "), weight " + show(pixel.weight) +
+           " (lost " + show(pixel.lost_weight) + ")";
+}
+
+inline std::string show(const Estimate& estimate) {
+    return "mean " + show(estimate.mean) + " +- " + show(estimate.standard_error);
+}
+
+inline std::string show(const GridShape& shape) {
+    return "grid of " + show(shape.cells) + " cells in the " + show(shape.box);
+}
+
+inline std::string show(const CellVisit& visit) {
+    return "cell " + show(visit.cell) + " in " + show(visit.t);
+}
+
+inline std::string show(const WalkCounts& counts) {
+    return show(counts.cells) + " cells, " + show(counts.shapes) + " shapes";
+}
+
+/// What `near` answers: as a condition true or false, and in a message all that was compared.
+template <class Value>
+struct Nearness {
+    Value actual;
+    Value expected;
+    Real bound = 0;
+    bool near = false;
+    operator bool() const { return near; }
+};
+
+/// Whether `actual` is within `bound` of `expected`, a vector in each coordinate; false for NaN.
+inline Nearness<Real> near(Real actual, Real expected, Real bound) {
+    return {actual, expected, bound, std::abs(actual - expected) <= bound};
+}
+inline Nearness<Vec2> near(const Vec2& actual, const Vec2& expected, Real bound) {
+    return {actual, expected, bound, glm::all(glm::lessThanEqual(glm::abs(actual - expected), Vec2(bound)))};
+}
+inline Nearness<Vec3> near(const Vec3& actual, const Vec3& expected, Real bound) {
+    return {actual, expected, bound, glm::all(glm::lessThanEqual(glm::abs(actual - expected), Vec3(bound)))};
+}
+
+template <class Value>
+std::string show(const Nearness<Value>& nearness) {
+    return show(nearness.actual) + ", expected " + show(nearness.expected) +
+           (nearness.bound > 0 ? " +- " + show(nearness.bound) : "");
+}
+
+/// What `show` knows: all of the above, and what holds it.
+template <class T>
+inline constexpr bool is_shown = requires(const T& value) {
+    show(value);
+};
+template <class T>
+inline constexpr bool is_shown<std::optional<T>> = is_shown<T>;
+template <class... T>
+inline constexpr bool is_shown<std::variant<T...>> = (is_shown<T> && ...);
+template <class T>
+inline constexpr bool is_shown<std::vector<T>> = is_shown<T>;
+template <class T>
+concept Shown = is_shown<T>;
+
+template <Shown T>
+std::string show(const std::optional<T>& maybe);
+template <Shown... T>
+std::string show(const std::variant<T...>& one);
+template <Shown T>
+std::string show(const std::vector<T>& list);
+
+template <Shown T>
+std::string show(const std::optional<T>& maybe) {
+    return maybe ? show(*maybe) : "nothing";
+}
+
+template <Shown... T>
+std::string show(const std::variant<T...>& one) {
+    return std::visit([](const auto& value) { return show(value); }, one);
+}
+
+/// {1, 2, 3}
+template <Shown T>
+std::string show(const std::vector<T>& list) {
+    std::string text = "{";
+    for (std::size_t i = 0; i < list.size(); ++i) text += (i > 0 ? ", " : "") + show(list[i]);
+    return text + "}";
+}
+
+/// Text from parts, as a stream takes them, but with values as `show` writes them.
+class Text {
+public:
+    template <class T>
+    Text& operator<<(const T& part) {
+        if constexpr (Shown<T> && !std::same_as<T, char> && !std::same_as<T, bool>)
+            text += show(part);
+        else
+            text += streamed(part);
+        return *this;
+    }
+    const std::string& str() const { return text; }
+
+private:
+    template <class T>
+    static std::string streamed(const T& part) {
+        std::ostringstream out;
+        out << part;
+        return out.str();
+    }
+    std::string text;
+};
+
+}  // namespace rt::test
