@@ -2,7 +2,6 @@
 // Usage: figures_03 DIRECTORY
 #include "references/figures.hpp"
 #include "chapters/01_ray_casting/camera.hpp"
-#include "chapters/01_ray_casting/plane.hpp"
 #include "chapters/03_triangles/polygon.hpp"
 #include "chapters/03_triangles/triangle.hpp"
 #include "common/math/exact.hpp"
@@ -373,20 +372,6 @@ std::optional<Hit> without_filter(const stability::TriangleCase& item) {
     return Hit{.t = t, .uv = {v / sum, w / sum}};
 }
 
-/// How many of the tiles contain the point where the ray meets their plane.
-std::size_t tiles_around_point(const stability::TilesCase& item) {
-    std::size_t count = 0;
-    for (const Polygon& tile : item.tiles) {
-        const Plane plane = supporting_plane(tile.vertices);
-        const int axis = dominant_axis(plane.normal);
-        std::vector<Vec2> outline;
-        for (const Vec3& vertex : tile.vertices) outline.push_back(project(vertex, axis));
-        const std::optional<Hit> hit = intersect(plane, item.ray, {});
-        count += hit && point_in_polygon(outline, project(point_at(item.ray, hit->t), axis));
-    }
-    return count;
-}
-
 /// Wrong decisions, without filter and fallback and with them.
 std::string decisions() {
     constexpr std::size_t count = 100'000;
@@ -404,9 +389,8 @@ std::string decisions() {
     const auto cases = stability::tiles_cases(count, 3);
     std::vector<std::size_t> plain, exact;
     for (const stability::TilesCase& item : cases) {
-        plain.push_back(tiles_around_point(item));
-        exact.push_back(0);
-        for (const Polygon& tile : item.tiles) exact.back() += intersect(tile, item.ray, {}).has_value();
+        plain.push_back(tiles_hit(item, naive::intersect));
+        exact.push_back(tiles_hit(item, rt::intersect));
     }
     return csv + fmt::format("\"seams of tiles\",{},{},{}\n", count, judge(cases, plain).mismatches,
                              judge(cases, exact).mismatches);
@@ -416,7 +400,7 @@ std::string decisions() {
 /// tip, from a blunt corner, and the chapter's.
 std::string normals_of_needles() {
     Real tip = 0, blunt = 0, chapter = 0;
-    for (const stability::TriangleCase& item : stability::triangle_families()[5].make(10'000, 3)) {
+    for (const stability::TriangleCase& item : stability::needles(10'000, 3)) {
         const auto& [a, b, c] = item.triangle;
         const Vec3 right = unit_vector(exact_normal(std::array{a, b, c}));
         const Vec3 from_a = unit_vector(cross(unit_vector(b - a), unit_vector(c - a)));

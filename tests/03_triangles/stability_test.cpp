@@ -75,12 +75,7 @@ TEST_CASE("the hit with a triangle is right on extreme cases", "[03.4][stability
 }
 
 TEST_CASE("the unit normal is right for every shape and every order of the corners", "[03.3][stability]") {
-    // The textbook's: no unit vectors first, no exact arithmetic, always the edges from a.
-    const auto textbook = [](const TriangleCase& question) {
-        const auto& [a, b, c] = question.triangle;
-        const Vec3 product = cross(b - a, c - a);
-        return product == Vec3(0) ? product : normalize(product);
-    };
+    const auto textbook = [](const TriangleCase& question) { return naive::unit_normal(question.triangle); };
     const auto normal = [](const TriangleCase& question) { return unit_normal(question.triangle); };
     for (const TriangleFamily& family : triangle_families()) {
         const auto questions = family.make(how_many(tally, 30'000), seed);
@@ -97,25 +92,8 @@ TEST_CASE("the unit normal is right for every shape and every order of the corne
 
 TEST_CASE("a ray at the seam of tiles hits exactly one of them", "[03.7][stability]") {
     const auto questions = tiles_cases(how_many(tally, 100'000), seed);
-    const auto hits = [](const TilesCase& question) {
-        return static_cast<std::size_t>(std::count_if(
-            question.tiles.begin(), question.tiles.end(),
-            [&](const Polygon& tile) { return intersect(tile, question.ray, Interval{}).has_value(); }));
-    };
-    // The textbook's: the plane's point, rounded, and then inside or outside.
-    const auto textbook = [](const TilesCase& question) {
-        std::size_t count = 0;
-        for (const Polygon& tile : question.tiles) {
-            const Plane plane = supporting_plane(tile.vertices);
-            const Real t = dot(plane.normal, plane.point - question.ray.origin) /
-                           dot(plane.normal, question.ray.direction);
-            const int axis = dominant_axis(plane.normal);
-            std::vector<Vec2> outline;
-            for (const Vec3& vertex : tile.vertices) outline.push_back(project(vertex, axis));
-            count += point_in_polygon(outline, project(point_at(question.ray, t), axis));
-        }
-        return count;
-    };
+    const auto hits = [](const TilesCase& question) { return tiles_hit(question, rt::intersect); };
+    const auto textbook = [](const TilesCase& question) { return tiles_hit(question, naive::intersect); };
     check(tally, "tiles of a plane", judge(questions, ask<std::size_t>(questions, hits)),
           judge(some(questions), ask<std::size_t>(some(questions), textbook)));
 }

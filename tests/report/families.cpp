@@ -114,9 +114,42 @@ void add_triangles(std::vector<Task>& tasks, const FamiliesOptions& options) {
     constexpr const char* name = "Möller–Trumbore with its constants";
     for (const TriangleFamily& family : triangle_families())
         tasks.push_back({{"03", "hit with a triangle", family.name, family.condition, "8κu", name, {}, {}},
-                         options.judged,
+                         family.at_edges ? options.aimed : options.judged,
                          usual_part,
                          ask<OptionalHit>(family.make, stable, textbook)});
+    tasks.push_back({{"03",
+                      "unit normal of a triangle",
+                      "needles, in every order of the corners",
+                      "unbounded: exact where rounding weighs",
+                      "128u",
+                      "edges from the first corner",
+                      {},
+                      {}},
+                     options.judged,
+                     usual_part,
+                     [](std::size_t count, std::uint64_t seed, Verdict& right, Verdict* wrong) {
+                         const auto cases = needles(count, seed);
+                         const auto verdict = [&](auto normal) {
+                             std::vector<Vec3> answers;
+                             for (const TriangleCase& item : cases) answers.push_back(normal(item.triangle));
+                             return judge_normals(cases, answers);
+                         };
+                         right = verdict(unit_normal);
+                         if (wrong) *wrong = verdict(naive::unit_normal);
+                     }});
+    tasks.push_back({{"03",
+                      "tiles of polygons: exactly one is hit",
+                      "rays at the seams",
+                      "exactly at edges and corners",
+                      "",
+                      "the rounded point in each polygon",
+                      {},
+                      {}},
+                     options.judged,
+                     usual_part,
+                     ask<std::size_t>(
+                         tiles_cases, [](const TilesCase& q) { return tiles_hit(q, rt::intersect); },
+                         [](const TilesCase& q) { return tiles_hit(q, naive::intersect); })});
     for (const SurfaceFamily& family : surface_families()) {
         // A fan has a thousand triangles; each of them is asked.
         const bool fan = family.triangles > 100;

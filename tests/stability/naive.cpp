@@ -1,6 +1,8 @@
 // The methods of textbooks, which break on the stability families.
 #include "tests/stability/naive.hpp"
 
+#include "chapters/03_triangles/polygon.hpp"
+
 #include <cmath>
 
 namespace rt::naive {
@@ -57,6 +59,24 @@ std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point) {
     const Real b = (cc * pb - bc * pc) / determinant;
     const Real c = (bb * pc - bc * pb) / determinant;
     return Vec3(1 - b - c, b, c);
+}
+
+Vec3 unit_normal(const Triangle& triangle) {
+    const Vec3 product = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    return product == Vec3(0) ? product : normalize(product);
+}
+
+std::optional<Hit> intersect(const Polygon& polygon, const Ray& ray, Interval range) {
+    const Plane plane = supporting_plane(polygon.vertices);
+    const Real slope = dot(plane.normal, ray.direction);
+    if (slope == 0) return std::nullopt;
+    const Real t = dot(plane.normal, plane.point - ray.origin) / slope;
+    if (!contains(range, t)) return std::nullopt;
+    const int axis = dominant_axis(plane.normal);
+    std::vector<Vec2> outline;
+    for (const Vec3& vertex : polygon.vertices) outline.push_back(project(vertex, axis));
+    if (!rt::point_in_polygon(outline, project(point_at(ray, t), axis))) return std::nullopt;
+    return Hit{.t = t};
 }
 
 bool point_in_polygon(std::span<const Vec2> polygon, const Vec2& point) {

@@ -34,6 +34,13 @@ std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval 
 /// Barycentric coordinates by Cramer's rule from the dot products of the edges (Ericson 2005, §3.4).
 std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point);
 
+/// The product of the edges from the first corner, made a unit vector; zero if it is zero.
+Vec3 unit_normal(const Triangle& triangle);
+
+/// The point where the ray meets the plane of the polygon, then that point in the polygon's shadow on a
+/// coordinate plane, by the crossings of chapter 3.
+std::optional<Hit> intersect(const Polygon& polygon, const Ray& ray, Interval range);
+
 /// Even-odd rule that compares the point's x with where the edge, taken in the polygon's direction, crosses
 /// its height (Franklin's PNPOLY).
 bool point_in_polygon(std::span<const Vec2> polygon, const Vec2& point);

@@ -134,12 +134,14 @@ std::optional<ShadowCase> triangles(Random& random) {
     return lit(random, triangle, towards(triangle, scale * random.magnitude(-1, 3), random), scale, false);
 }
 
+/// Thin triangles of all shapes: two corners together, or all three nearly on one line.
 std::optional<ShadowCase> needles(Random& random) {
     const Real scale = some_scale(random);
     const Vec3 place = some_place(random);
     const Vec3 edge = scale * random.direction();
-    const Vec3 aside = scale * random.magnitude(-8, -1) * random.direction();
-    const std::array<Vec3, 3> corners{place, place + edge, place + random.uniform(-1, 2) * edge + aside};
+    const Vec3 aside = scale * random.magnitude(-15, -1) * random.direction();
+    const Real along = random.index(2) == 0 ? 1 : random.uniform(-1, 2);
+    const std::array<Vec3, 3> corners{place, place + edge, place + along * edge + aside};
     const std::size_t first = random.index(3);
     const Triangle needle{corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]};
     return lit(random, needle, towards(needle, scale * random.magnitude(-1, 3), random), scale, false);
@@ -208,7 +210,7 @@ constexpr std::array<ShadowFamily, 8> families{{
     {"planes", "scale 1e-6 to 1e6, up to 1e7 from the origin", planes},
     {"spheres", "radius 1e-6 to 1e6, up to 1e7 from the origin", spheres},
     {"triangles", "size 1e-6 to 1e6, up to 1e7 from the origin", triangles},
-    {"needles", "the same, aspect 10 to 1e8", needles},
+    {"needles", "the same, aspect 10 to 1e15", needles},
     {"large floors", "corners up to 1e6 away", floors},
     {"polygons", "size 1e-6 to 1e6, up to 1e7 from the origin", polygons},
     {"ellipsoids", "the same, axes up to 1e4 apart", ellipsoids},

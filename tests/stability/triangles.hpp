@@ -31,7 +31,11 @@ struct TriangleFamily {
     const char* name;
     const char* condition;  ///< what κ is like here
     std::vector<TriangleCase> (*make)(std::size_t count, std::uint64_t seed);
+    bool at_edges = false;  ///< whether the rays pass exactly through edges and corners
 };
+
+/// One of the families: two corners close together, every order of the corners in turn.
+std::vector<TriangleCase> needles(std::size_t count, std::uint64_t seed);
 
 /// All the families; any prefix of a family's cases is the same for every count.
 std::span<const TriangleFamily> triangle_families();
@@ -80,6 +84,10 @@ struct TilesCase {
 };
 
 std::vector<TilesCase> tiles_cases(std::size_t count, std::uint64_t seed);
+
+/// How many of the tiles the ray hits, by some intersection with a polygon.
+std::size_t tiles_hit(const TilesCase& item,
+                      std::optional<Hit> (*intersect)(const Polygon&, const Ray&, Interval));
 
 /// Judges how many of the tiles are hit: exactly one.
 Verdict judge(std::span<const TilesCase> cases, std::span<const std::size_t> answers);
