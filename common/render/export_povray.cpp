@@ -11,7 +11,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -48,7 +47,6 @@ struct Writer {
     const Scene& scene;
     Real factor;  ///< of all its lengths to what was written
     std::string text{};
-    std::map<Real, int> iors{};  ///< how many bodies have each index of refraction, so far
 
     template <class... Args>
     void line(fmt::format_string<Args...> format, Args&&... args) {
@@ -295,13 +293,13 @@ std::string texture(const Scene& scene, const Material& m) {
 /// Beer–Lambert as a medium: POV-Ray's fade_power 1001 has the same formula, but leaves out the ways
 /// between inner reflections.
 ///
-/// POV-Ray does not count a bounce where rays are not bent. So no two bodies have quite the same index of
-/// refraction, nor that of nothing: the differences are steps of its single precision.
-std::string interior(Writer& out, const Material& m) {
-    int& steps = out.iors.try_emplace(m.ior, m.ior == 1 ? 1 : 0).first->second;
+/// POV-Ray does not count a bounce where rays are not bent. So no body has quite the index of refraction of
+/// what is around it: the differences are steps of its single precision.
+std::string interior(const Scene& scene, const Object& object) {
+    const Material& m = scene.materials[object.material];
+    const int steps = bending_steps(scene, object);
     // Nine digits are more than single precision has.
     const std::string ior = steps == 0 ? number(m.ior) : fmt::format("{:.9g}", m.ior * (1 + steps * 1e-6));
-    ++steps;
     std::string text = fmt::format(" interior {{ ior {}", ior);
     if (!is_black(m.absorption)) text += fmt::format(" media {{ absorption {} }}", rgb(m.absorption));
     return text + " }";
@@ -516,7 +514,8 @@ void write_object(Writer& out, const Object& object) {
     } else if (scene.integrator == Integrator::Raytrace) {
         const Material& m = scene.materials[object.material];
         out.line("{}{} texture {{ Material{} }}{}{}{}{} }}", shape, transform, object.material,
-                 is_transparent(m) ? interior(out, m) : "", must_be_hollow(scene, object) ? " hollow" : "",
+                 is_transparent(m) ? interior(scene, object) : "",
+                 must_be_hollow(scene, object) ? " hollow" : "",
                  must_be_inverse(scene, object) ? " inverse" : "", scene.shadows ? "" : " no_shadow");
     } else {
         out.line("{}{} texture {{ Material{} }} }}", shape, transform, object.material);

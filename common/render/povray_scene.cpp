@@ -119,6 +119,14 @@ bool may_overlap(const Scene& scene, const Object& a, const Object& b) {
     return overlap(box, box_of(scene, a));
 }
 
+/// Whether one untransformed ball is all within another.
+bool is_ball_within(const Object& inner, const Object& outer) {
+    const auto* a = std::get_if<Sphere>(&inner.shape);
+    const auto* b = std::get_if<Sphere>(&outer.shape);
+    return a && b && inner.transform < 0 && outer.transform < 0 &&
+           glm::length(a->center - b->center) + a->radius < b->radius;
+}
+
 /// Whether each edge belongs to an even number of faces.
 bool is_closed(const Mesh& mesh) {
     std::map<std::tuple<Real, Real, Real>, std::size_t> places;
@@ -382,6 +390,22 @@ bool is_endless(const Scene& scene, const Object& object) {
     if (const auto* shown = std::get_if<MeshObject>(&object.shape))
         return !is_closed(scene.meshes[shown->mesh]);
     return std::holds_alternative<Plane>(object.shape);
+}
+
+int bending_steps(const Scene& scene, const Object& object) {
+    const Real ior = material_of(scene, object).ior;
+    bool is_within = false;  // a ball of other glass
+    int steps = 0;
+    bool is_earlier = true;
+    for (const Object& other : scene.objects) {
+        if (&other == &object) is_earlier = false;
+        if (&other == &object || !is_glass(scene, other)) continue;
+        if (material_of(scene, other).ior != ior)
+            is_within = is_within || is_ball_within(object, other);
+        else if (is_earlier && may_overlap(scene, object, other))
+            ++steps;
+    }
+    return steps + (ior == 1 && !is_within ? 1 : 0);
 }
 
 Real povray_factor(const Scene& scene) {

@@ -39,6 +39,11 @@ bool absorbs(const Scene& scene);
 /// Whether a ray inside the absorbing object may go on for ever: it is no closed body.
 bool is_endless(const Scene& scene, const Object& object);
 
+/// How many steps the index of refraction of a transparent object must differ from what the scene says, so
+/// that it differs from that of nothing where the object may stand in nothing, and from that of bodies that
+/// it may overlap.
+int bending_steps(const Scene& scene, const Object& object);
+
 /// The power of two by which all lengths of the scene are multiplied for POV-Ray, whose tolerances are
 /// lengths of its own: 1 where everything is between 0.01 and 1e4, as it must be. Refuses scenes that no
 /// factor brings there.

@@ -44,9 +44,9 @@ light_source { <-56980.28822981898, 68376.34587578278, 45584.230583855184> rgb 0
   texture { pigment { rgb 0.5 transmit 0.5 } finish { ambient 0 diffuse 2 } }
 
 plane { <0, 1, 0>, 0 texture { Material0 } }
-sphere { <-1.75, 0.8, 0.3>, 0.8 texture { Material1 } interior { ior 1 } }
-sphere { <-0.35, 0.6, 1.1>, 0.6 texture { Material2 } interior { ior 1 } }
-sphere { <0.55, 0.95, -0.6>, 0.95 texture { Material3 } interior { ior 1 } }
-sphere { <1.9, 0.55, 0.9>, 0.55 texture { Material4 } interior { ior 1 } }
+sphere { <-1.75, 0.8, 0.3>, 0.8 texture { Material1 } interior { ior 1.000001 } }
+sphere { <-0.35, 0.6, 1.1>, 0.6 texture { Material2 } interior { ior 1.000001 } }
+sphere { <0.55, 0.95, -0.6>, 0.95 texture { Material3 } interior { ior 1.000001 } }
+sphere { <1.9, 0.55, 0.9>, 0.55 texture { Material4 } interior { ior 1.000001 } }
 sphere { <-1.2, 0.35, 2.1>, 0.35 texture { Material5 } }
 sphere { <2.25, 0.7, 0.5>, 0.35 texture { Material5 } }
