@@ -69,9 +69,11 @@ Step read_step(const Source& source, const json& entry, const std::string& path,
         if (other.id == step.id) source.fail(path + ".id", fmt::format("'{}' is there twice", step.id));
     step.title = text(source, entry, path, "title");
     step.file = text(source, entry, path, "file");
-    // Before its exercises are generated for the first time a chapter has only the solution's file.
-    if (!fs::exists(directory / step.file) &&
-        !fs::exists(directory.parent_path().parent_path() / "solutions" / chapter.name / step.file))
+    // Before its exercises are generated for the first time, and after a student has deleted it, a chapter
+    // has only the file's original.
+    const fs::path root = directory.parent_path().parent_path();
+    if (!fs::exists(directory / step.file) && !fs::exists(root / "solutions" / chapter.name / step.file) &&
+        !fs::exists(root / ".course" / "pristine" / chapter.name / step.file))
         source.fail(path + ".file", fmt::format("there is no '{}' beside this file", step.file));
     const json& points = member(source, entry, path, "points");
     if (!points.is_number_integer() || points.get<long long>() <= 0 || points.get<long long>() > 1000)

@@ -3,6 +3,7 @@
 
 #include "common/app/console.hpp"
 #include "common/app/exercise.hpp"
+#include "common/app/lock.hpp"
 #include "common/app/process.hpp"
 #include "common/math/printable.hpp"
 
@@ -44,8 +45,43 @@ StepResult died(const std::string& step, const TestOutcome& outcome) {
     return {step, State::Failed, outcome.death + place};
 }
 
+/// Every step has failed for the same reason.
+ChapterResult not_built(const Chapter& chapter, const std::string& why) {
+    ChapterResult result = all_todo(chapter);
+    result.build_error = why;
+    for (StepResult& step : result.steps) {
+        step.state = State::Failed;
+        step.message = why;
+    }
+    return result;
+}
+
 bool concerns(const TestRun& test, const std::string& step) {
     return std::find(test.steps.begin(), test.steps.end(), step) != test.steps.end();
+}
+
+/// CMake takes the path in PWD for its own if it leads to the same place, and would write the name of a
+/// symbolic link into the build. This names the directory itself.
+ProcessOptions for_cmake(const Project& project) {
+    ProcessOptions options;
+    options.environment = {{"PWD", project.root.string()}};
+    return options;
+}
+
+/// As build_targets, for who has the build's lock.
+BuildResult build_locked(const Project& project, const std::vector<std::string>& targets,
+                         const std::string& label, bool keep_going = false) {
+    std::vector<std::string> command{"cmake", "--build", project.build.string(), "--target"};
+    command.insert(command.end(), targets.begin(), targets.end());
+    if (keep_going) command.insert(command.end(), {"--", "-k", "0"});
+
+    Progress progress(label);
+    ProcessOptions options = for_cmake(project);
+    options.on_line = [&](std::string_view line) { progress.update(std::max(ninja_fraction(line), 0.0)); };
+    const ProcessResult result = run_process(command, options);
+    for (const std::string& target : targets) keep_program(project, target);
+    if (succeeded(result)) return {true, "", result.output};
+    return {false, printable(first_error(project, result.output)), result.output};
 }
 
 std::string target_of(const Chapter& chapter, bool solutions) {
@@ -56,16 +92,8 @@ std::string target_of(const Chapter& chapter, bool solutions) {
 
 BuildResult build_targets(const Project& project, const std::vector<std::string>& targets,
                           const std::string& label, bool keep_going) {
-    std::vector<std::string> command{"cmake", "--build", project.build.string(), "--target"};
-    command.insert(command.end(), targets.begin(), targets.end());
-    if (keep_going) command.insert(command.end(), {"--", "-k", "0"});
-
-    Progress progress(label);
-    ProcessOptions options;
-    options.on_line = [&](std::string_view line) { progress.update(std::max(ninja_fraction(line), 0.0)); };
-    const ProcessResult result = run_process(command, options);
-    if (succeeded(result)) return {true, "", result.output};
-    return {false, printable(first_error(project, result.output)), result.output};
+    const Lock lock(build_lock(project), label);
+    return build_locked(project, targets, label, keep_going);
 }
 
 std::string first_error(const Project& project, const std::string& output) {
@@ -87,8 +115,7 @@ std::string first_error(const Project& project, const std::string& output) {
 
 TestOutcome run_tests(const Project& project, const std::string& name, const std::string& tag, bool quick,
                       double limit) {
-    const fs::path report = project.build / "reports" / (name + ".jsonl");
-    fs::create_directories(report.parent_path());
+    const fs::path report = own_directory(project) / (name + ".jsonl");
     fs::remove(report);
 
     std::vector<std::string> command{program(project, name).string(), "--order", "decl", "--report",
@@ -137,29 +164,29 @@ ChapterResult judge_program(const Project& project, const Chapter& chapter, cons
 
 std::vector<ChapterResult> check_chapters(const Project& project, const std::vector<const Chapter*>& chapters,
                                           bool solutions) {
-    std::vector<std::string> targets;
-    for (const Chapter* chapter : chapters) targets.push_back(target_of(*chapter, solutions));
+    std::vector<std::string> targets, missing, sources;
+    for (const Chapter* chapter : chapters) {
+        missing.push_back(solutions ? "" : missing_message(project, *chapter));
+        sources.push_back(sources_fingerprint(project, *chapter));
+        if (missing.back().empty()) targets.push_back(target_of(*chapter, solutions));
+    }
     const std::string label =
         chapters.size() == 1 ? "Building chapter " + chapters.front()->number : "Building the chapters";
-    const BuildResult together = build_targets(project, targets, label, true);
+    const BuildResult together =
+        targets.empty() ? BuildResult{} : build_targets(project, targets, label, true);
 
     std::vector<ChapterResult> results;
     for (std::size_t i = 0; i < chapters.size(); ++i) {
         const Chapter& chapter = *chapters[i];
+        const std::string target = target_of(chapter, solutions);
         // What could be built is built by now, so asking for one at a time only tells whose error is whose.
-        const BuildResult build =
-            together.ok || chapters.size() == 1 ? together : build_targets(project, {targets[i]}, label);
-        if (build.ok) {
-            results.push_back(judge_program(project, chapter, targets[i]));
-        } else {
-            results.push_back(all_todo(chapter));
-            results.back().build_error = build.message;
-            for (StepResult& step : results.back().steps) {
-                step.state = State::Failed;
-                step.message = build.message;
-            }
-        }
-        if (!solutions) remember(project, chapter, results.back());
+        const BuildResult build = !missing[i].empty() ? BuildResult{false, missing[i], ""}
+                                  : together.ok || targets.size() == 1
+                                      ? together
+                                      : build_targets(project, {target}, label);
+        results.push_back(build.ok ? judge_program(project, chapter, target)
+                                   : not_built(chapter, build.message));
+        if (!solutions) remember(project, chapter, results.back(), sources[i]);
     }
     return results;
 }
@@ -177,6 +204,11 @@ std::vector<const Chapter*> passing_chapters(const Project& project, const std::
 }
 
 BuildResult build_mine(const Project& project, const std::vector<const Chapter*>& chapters) {
+    for (const Chapter* chapter : chapters)
+        if (const std::string missing = missing_message(project, *chapter); !missing.empty())
+            return {false, missing, ""};
+    const std::string label = "Building with your chapters";
+    const Lock lock(build_lock(project), label);
     std::string wanted;
     for (const Chapter* chapter : chapters) wanted += (wanted.empty() ? "" : ";") + chapter->number;
     std::string linked;
@@ -184,10 +216,10 @@ BuildResult build_mine(const Project& project, const std::vector<const Chapter*>
         if (line.starts_with("COURSE_MINE:")) linked = line.substr(line.find('=') + 1);
     if (linked != wanted) {
         const ProcessResult result =
-            run_process({"cmake", "-DCOURSE_MINE=" + wanted, project.build.string()}, {});
-        if (!succeeded(result)) return {false, first_error(project, result.output), result.output};
+            run_process({"cmake", "-DCOURSE_MINE=" + wanted, project.build.string()}, for_cmake(project));
+        if (!succeeded(result)) return {false, printable(first_error(project, result.output)), result.output};
     }
-    return build_targets(project, {"course_mine"}, "Building with your chapters");
+    return build_locked(project, {"course_mine"}, label);
 }
 
 std::string numbers_of(const std::vector<const Chapter*>& chapters) {

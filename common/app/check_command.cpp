@@ -3,6 +3,7 @@
 #include "common/app/commands.hpp"
 #include "common/app/console.hpp"
 #include "common/app/json_text.hpp"
+#include "common/app/lock.hpp"
 #include "common/app/process.hpp"
 #include "common/app/tour.hpp"
 #include "common/app/verdict.hpp"
@@ -80,7 +81,7 @@ void print_chapter(const Chapter& chapter, const ChapterResult& result) {
                paint(fmt::format("Chapter {}: {}", chapter.number, chapter.title), Tone::Bold),
                count(result, State::Passed), counted(static_cast<long long>(result.steps.size()), "step"));
     if (!result.build_error.empty()) {
-        fmt::print("  {} It does not compile:\n      {}\n", paint("✗", Tone::Bad), result.build_error);
+        fmt::print("  {} It does not build:\n      {}\n", paint("✗", Tone::Bad), result.build_error);
         return;
     }
     bool shown = false;
@@ -100,7 +101,7 @@ void show_picture(const Project& project, const std::vector<const Chapter*>& min
     if (chapter.scenes.empty()) return;
     const fs::path scene = project.root / "references" / chapter.name / chapter.scenes.front();
     const fs::path directory = project.build / "pictures" / chapter.name;
-    const fs::path raw = directory / scene.stem().replace_extension(".pfm");
+    const fs::path raw = own_directory(project) / scene.stem().replace_extension(".pfm");
     const fs::path picture = directory / scene.stem().replace_extension(".png");
     fs::create_directories(directory);
     if (!build_mine(project, mine).ok) return;

@@ -4,6 +4,7 @@
 #include "common/app/catalogue.hpp"
 #include "common/app/console.hpp"
 #include "common/app/json_text.hpp"
+#include "common/app/lock.hpp"
 #include "common/app/references.hpp"
 #include "common/app/report.hpp"
 #include "common/app/tour.hpp"
@@ -363,6 +364,7 @@ int run_line(int argc, char** argv, int& write_error) {
 }  // namespace
 
 int run_course(int argc, char** argv) {
+    close_inherited_lock();
     open_missing_streams();
     int write_error = 0;
     const int status = run_line(argc, argv, write_error);

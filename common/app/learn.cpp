@@ -4,6 +4,7 @@
 #include "common/app/exercise.hpp"
 #include "common/app/functions.hpp"
 #include "common/app/json_text.hpp"
+#include "common/app/lock.hpp"
 #include "common/app/results.hpp"
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace rt {
 
@@ -21,7 +23,7 @@ namespace {
 
 // ------------------------------------------------------------------------------------------- hints
 
-fs::path hints_file(const Project& project) { return project.build / "hints.json"; }
+fs::path hints_file(const Project& project) { return memory(project, "hints.json"); }
 
 /// How many hints of each step were shown; empty if that was never written, or is damaged.
 nlohmann::json read_hints(const Project& project) {
@@ -39,12 +41,13 @@ std::size_t hints_shown(const nlohmann::json& shown, const std::string& step, st
 
 // ------------------------------------------------------------------------------------------- reset
 
-/// Copies a file to x.cpp.001.backup, or the first number that is free; returns the copy.
-fs::path keep_backup(const fs::path& file) {
+/// Keeps a text as x.cpp.001.backup, or with the first number that is free, and returns that name. The backup
+/// is whole or not there. The memory's lock must be held, so that no other process takes the same number.
+fs::path keep_backup(const fs::path& file, const std::string& text) {
     for (int number = 1;; ++number) {
         const fs::path backup = fmt::format("{}.{:03}.backup", file.string(), number);
-        if (fs::exists(backup)) continue;
-        fs::copy_file(file, backup);
+        if (fs::exists(fs::symlink_status(backup))) continue;
+        write_file(backup, text);
         return backup;
     }
 }
@@ -93,8 +96,34 @@ std::string with_step_reset(const std::string& mine, const std::string& pristine
 /// A file that was put back, and where the old one went; both as from the repository's root.
 struct Reset {
     std::string file;
-    std::string backup;
+    std::string backup;  ///< empty if there was none
 };
+
+/// Puts a file back, all of it or one step. Nothing if it is at its start already.
+std::optional<Reset> reset_file(const Project& project, const Chapter& chapter, const std::string& file,
+                                const Step* step) {
+    const fs::path path = project.root / "chapters" / chapter.name / file;
+    const std::string pristine = pristine_or_explain(project, chapter, file);
+    if (!fs::exists(path)) {
+        write_file(path, pristine);
+        return Reset{relative(project, path), ""};
+    }
+    const std::string mine = read_file(path);
+    const std::string text = step ? with_step_reset(mine, pristine, chapter, *step) : pristine;
+    if (text == mine) return std::nullopt;
+    const fs::path backup = keep_backup(path, mine);
+    write_file(path, text);
+    return Reset{relative(project, path), relative(project, backup)};
+}
+
+void print_resets(const std::vector<Reset>& resets) {
+    if (resets.empty()) fmt::print("Nothing to reset: it is as it was at the start.\n");
+    for (const Reset& reset : resets)
+        if (reset.backup.empty())
+            fmt::print("{} was missing and is back, as it was at the start\n", reset.file);
+        else
+            fmt::print("{} is back at its start; what you had is in {}\n", reset.file, reset.backup);
+}
 
 // ---------------------------------------------------------------------------------------- solution
 
@@ -125,6 +154,7 @@ int run_hint(const std::string& name, bool all, bool json) {
     const std::vector<Chapter> chapters = read_catalogue(project);
     const Step& step = *find_step(chapters, name).step;
 
+    const Lock lock(memory_lock(project), "counting hints");
     nlohmann::json shown = read_hints(project);
     const std::size_t before = hints_shown(shown, step.id, step.hints.size());
     const std::size_t after = all ? step.hints.size() : std::min(before + 1, step.hints.size());
@@ -156,29 +186,29 @@ int run_reset(const std::string& name, bool json) {
     const Target target = find_target(chapters, name);
     const Chapter& chapter = *target.chapter;
 
-    std::vector<std::string> files =
-        target.step ? std::vector{target.step->file} : exercise_files(project, chapter);
+    const Lock lock(memory_lock(project), "reset " + name);
+    // What was deleted comes back alone: the files that are there may hold finished work.
+    const std::vector<std::string> missing = missing_files(project, chapter);
+    const std::vector<std::string> files = target.step        ? std::vector{target.step->file}
+                                           : !missing.empty() ? missing
+                                                              : exercise_files(project, chapter);
     std::vector<Reset> resets;
-    for (const std::string& file : files) {
-        const fs::path path = project.root / "chapters" / chapter.name / file;
-        const std::string mine = read_file(path);
-        const std::string pristine = pristine_or_explain(project, chapter, file);
-        const std::string text =
-            target.step ? with_step_reset(mine, pristine, chapter, *target.step) : pristine;
-        if (text == mine) continue;
-        const fs::path backup = keep_backup(path);
-        write_file(path, text);
-        resets.push_back({relative(project, path), relative(project, backup)});
-    }
+    for (const std::string& file : files)
+        if (const auto reset = reset_file(project, chapter, file, target.step)) resets.push_back(*reset);
     if (json) {
         auto list = nlohmann::ordered_json::array();
-        for (const Reset& reset : resets) list.push_back({{"file", reset.file}, {"backup", reset.backup}});
+        for (const Reset& reset : resets)
+            list.push_back({{"file", reset.file},
+                            {"backup", reset.backup.empty() ? nlohmann::ordered_json()
+                                                            : nlohmann::ordered_json(reset.backup)}});
         fmt::print("{}\n", json_text(nlohmann::ordered_json{{"reset", list}}));
         return 0;
     }
-    if (resets.empty()) fmt::print("Nothing to reset: it is as it was at the start.\n");
-    for (const Reset& reset : resets)
-        fmt::print("{} is back at its start; what you had is in {}\n", reset.file, reset.backup);
+    print_resets(resets);
+    if (!target.step && !missing.empty())
+        fmt::print(
+            "The chapter's other files are as they were; ./course reset {} once more resets them, too.\n",
+            chapter.number);
     return 0;
 }
 
@@ -204,7 +234,7 @@ int run_solution(const std::string& name, bool spoil, bool json) {
 
     const std::string annotated = read_file(solution);
     const fs::path exercise = project.root / "chapters" / chapter.name / step.file;
-    const std::string own = read_file(exercise);
+    const std::string own = fs::exists(exercise) ? read_file(exercise) : "";
     std::vector<Shown> theirs, yours;
     for (const FunctionText& function : functions_with(annotated, "// [exercise " + step.id + "]")) {
         const std::string text = annotated.substr(function.begin, function.end - function.begin);

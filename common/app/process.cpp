@@ -23,8 +23,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t output_limit = 1 << 20;
-
 // The sanitizers reserve terabytes of addresses.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool sanitized = true;
@@ -155,7 +153,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
         for (ssize_t count; open && (count = read(pipe_ends[0], buffer, sizeof buffer)) != -1;) {
             open = count != 0;
             const std::string_view text(buffer, static_cast<std::size_t>(count));
-            result.output += text.substr(0, output_limit - result.output.size());
+            result.output += text.substr(0, options.output_limit - result.output.size());
             lines.add(text);
             if (options.time_limit > 0 && seconds_since(start) > options.time_limit) break;
         }

@@ -1,6 +1,7 @@
 // Another program as a child of this one: its output, its end, and a limit on its time.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@ struct ProcessOptions {
     double time_limit = 0;                               ///< seconds until the child is killed; 0 is never
     std::function<void(std::string_view line)> on_line;  ///< told each line of output as it comes
     std::vector<std::pair<std::string, std::string>> environment;  ///< added to this program's
+    std::size_t output_limit = 1 << 20;                            ///< bytes of output that are kept
     bool merge_errors = true;  ///< standard error goes into `output` too; else it is this program's
 };
 
@@ -21,7 +23,7 @@ struct ProcessResult {
     int signal = 0;     ///< that ended it; 0 if it ended by itself
     bool timed_out = false;
     double seconds = 0;
-    std::string output;  ///< the first mebibyte
+    std::string output;  ///< its beginning, as much as was to be kept
 };
 
 /// Whether the child ended by itself with status 0.

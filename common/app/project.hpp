@@ -15,8 +15,12 @@ struct Project {
 /// The repository that this program was built from.
 Project this_project();
 
-/// A program of the build, such as "check_02".
+/// A program of the build, such as "check_02": the one that this process has built, if it has (lock.hpp).
 std::filesystem::path program(const Project& project, std::string_view name);
+
+/// A file of what nobody could work out again if it were lost, such as "state.json": in .course/, which no
+/// build deletes. One that an earlier version of the course left in the build directory is moved there.
+std::filesystem::path memory(const Project& project, std::string_view name);
 
 /// The path as a person at the repository's root would write it; unchanged if it is outside.
 std::string relative(const Project& project, const std::filesystem::path& path);

@@ -3,6 +3,7 @@
 
 #include "common/app/exercise.hpp"
 #include "common/app/json_text.hpp"
+#include "common/app/lock.hpp"
 #include "common/image/file.hpp"
 #include "common/math/printable.hpp"
 
@@ -33,16 +34,7 @@ std::vector<fs::path> files_in(const fs::path& directory, const std::vector<std:
     return files;
 }
 
-/// Changes with everything that a verdict depends on and a student or teacher may edit.
-std::string sources_fingerprint(const Project& project, const Chapter& chapter) {
-    std::string all;
-    for (const char* room : {"chapters", "tests"})
-        for (const fs::path& file : files_in(project.root / room / chapter.name, {".cpp", ".hpp"}))
-            all += file.filename().string() + '\0' + read_file(file) + '\0';
-    return fingerprint(all);
-}
-
-fs::path memory_file(const Project& project) { return project.build / "state.json"; }
+fs::path memory_file(const Project& project) { return memory(project, "state.json"); }
 
 json read_memory(const Project& project) {
     if (!fs::exists(memory_file(project))) return json::object();
@@ -50,7 +42,21 @@ json read_memory(const Project& project) {
     return memory.is_object() ? memory : json::object();
 }
 
+std::vector<std::string> names_of(const std::vector<fs::path>& files) {
+    std::vector<std::string> names;
+    for (const fs::path& file : files) names.push_back(file.filename().string());
+    return names;
+}
+
 }  // namespace
+
+std::string sources_fingerprint(const Project& project, const Chapter& chapter) {
+    std::string all;
+    for (const char* room : {"chapters", "tests"})
+        for (const fs::path& file : files_in(project.root / room / chapter.name, {".cpp", ".hpp"}))
+            all += file.filename().string() + '\0' + read_file(file) + '\0';
+    return fingerprint(all);
+}
 
 std::string_view name_of(State state) {
     return state == State::Passed ? "passed" : state == State::Failed ? "failed" : "todo";
@@ -143,14 +149,14 @@ KnownResult known_result(const Project& project, const Chapter& chapter) {
     return known;
 }
 
-void remember(const Project& project, const Chapter& chapter, const ChapterResult& result) {
+void remember(const Project& project, const Chapter& chapter, const ChapterResult& result,
+              const std::string& sources) {
     json steps = json::object();
     for (const StepResult& step : result.steps)
         steps[step.id] = {{"state", name_of(step.state)}, {"message", step.message}};
+    const Lock lock(memory_lock(project), "remembering results");
     json memory = read_memory(project);
-    memory[chapter.name] = {{"sources", sources_fingerprint(project, chapter)},
-                            {"build_error", result.build_error},
-                            {"steps", steps}};
+    memory[chapter.name] = {{"sources", sources}, {"build_error", result.build_error}, {"steps", steps}};
     write_file(memory_file(project), json_text(memory, 1) + "\n");
 }
 
@@ -164,13 +170,30 @@ std::optional<std::string> pristine_text(const Project& project, const Chapter& 
 }
 
 std::vector<std::string> exercise_files(const Project& project, const Chapter& chapter) {
-    std::vector<std::string> names;
-    for (const fs::path& file : files_in(project.root / "chapters" / chapter.name, {".cpp"}))
-        names.push_back(file.filename().string());
+    return names_of(files_in(project.root / "chapters" / chapter.name, {".cpp"}));
+}
+
+std::vector<std::string> missing_files(const Project& project, const Chapter& chapter) {
+    const fs::path solutions = project.root / "solutions" / chapter.name;
+    std::vector<std::string> names = names_of(files_in(
+        fs::is_directory(solutions) ? solutions : project.root / ".course" / "pristine" / chapter.name,
+        {".cpp"}));
+    std::erase_if(names, [&](const std::string& name) {
+        return fs::exists(project.root / "chapters" / chapter.name / name);
+    });
     return names;
 }
 
+std::string missing_message(const Project& project, const Chapter& chapter) {
+    const std::vector<std::string> missing = missing_files(project, chapter);
+    if (missing.empty()) return "";
+    return fmt::format(
+        "chapters/{}/{} is missing; ./course reset {} puts back what was deleted, and nothing else",
+        chapter.name, missing.front(), chapter.number);
+}
+
 bool is_untouched(const Project& project, const Chapter& chapter) {
+    if (!missing_files(project, chapter).empty()) return false;
     for (const std::string& file : exercise_files(project, chapter))
         if (pristine_text(project, chapter, file) !=
             read_file(project.root / "chapters" / chapter.name / file))

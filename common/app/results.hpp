@@ -69,8 +69,13 @@ struct KnownResult {
 /// An exercise that was not touched is all todo, and current. Never throws for a damaged memory.
 KnownResult known_result(const Project& project, const Chapter& chapter);
 
-/// Remembers the verdict on a chapter as its files are now, in build/state.json.
-void remember(const Project& project, const Chapter& chapter, const ChapterResult& result);
+/// Changes with everything that a verdict depends on and a student or teacher may edit.
+std::string sources_fingerprint(const Project& project, const Chapter& chapter);
+
+/// Remembers the verdict on a chapter in .course/state.json. `sources` is the fingerprint of what was judged,
+/// taken before it was built: who goes on writing meanwhile has not been judged.
+void remember(const Project& project, const Chapter& chapter, const ChapterResult& result,
+              const std::string& sources);
 
 /// The exercise's file as the student got it: from the solution, else from .course/pristine/ of a handout.
 std::optional<std::string> pristine_text(const Project& project, const Chapter& chapter,
@@ -78,6 +83,13 @@ std::optional<std::string> pristine_text(const Project& project, const Chapter& 
 
 /// Names of the exercise's files, `*.cpp` of the chapter's directory, sorted.
 std::vector<std::string> exercise_files(const Project& project, const Chapter& chapter);
+
+/// Names of those files of the exercise that the student got and that are not there any more.
+std::vector<std::string> missing_files(const Project& project, const Chapter& chapter);
+
+/// What to do about a chapter whose files are missing: "chapters/02_spheres/sphere.cpp is missing; …", or
+/// nothing.
+std::string missing_message(const Project& project, const Chapter& chapter);
 
 /// Whether every file of the exercise is as the student got it.
 bool is_untouched(const Project& project, const Chapter& chapter);

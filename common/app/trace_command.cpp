@@ -25,7 +25,19 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::string_view shape_names[] = {"sphere", "plane", "triangle", "polygon", "mesh"};
+/// A tree may have any number of rays: 2^depth between two panes of glass. So many are written down.
+constexpr std::size_t most_rays = 10'000;
+/// Deeper rays are indented no farther, else a tree's text would grow with the square of its depth.
+constexpr std::size_t most_levels = 16;
+
+constexpr const char* colour_of_pixel = "colour of the pixel";
+
+// A shape of another kind does not compile until it has a name here.
+std::string_view shape_name(const Sphere&) { return "sphere"; }
+std::string_view shape_name(const Plane&) { return "plane"; }
+std::string_view shape_name(const TriangleObject&) { return "triangle"; }
+std::string_view shape_name(const PolygonObject&) { return "polygon"; }
+std::string_view shape_name(const MeshObject&) { return "mesh"; }
 
 std::string_view kind_name(RayKind kind) {
     if (kind == RayKind::Reflection) return "reflection";
@@ -65,7 +77,7 @@ ordered_json to_json(const Scene& scene, const World& world, const TraceRecord& 
                          {"hit", record.hit.has_value()}};
     if (record.hit) {
         const Object& object = scene.objects[object_of(world, record.hit->primitive)];
-        json["shape"] = shape_names[object.shape.index()];
+        json["shape"] = std::visit([](const auto& shape) { return shape_name(shape); }, object.shape);
         json["line"] = object.place.line;
         json["primitive"] = record.hit->primitive;
         json["t"] = to_json(record.hit->t);
@@ -88,7 +100,10 @@ ordered_json trace_json(const TraceCommand& command) {
     const Ray ray = pixel_ray(world.view, command.x + 0.5, command.y + 0.5);
     ordered_json rays = ordered_json::array();
     Vec3 color(0);
-    for (const TraceRecord& record : trace_tree(world, ray)) {
+    std::vector<TraceRecord> tree = trace_tree(world, ray, most_rays + 1);
+    const bool complete = tree.size() <= most_rays;
+    if (!complete) tree.pop_back();
+    for (const TraceRecord& record : tree) {
         color += record.weight * record.local;
         rays.push_back(to_json(scene, world, record));
     }
@@ -97,6 +112,7 @@ ordered_json trace_json(const TraceCommand& command) {
             {"y", command.y},
             {"color", to_json(color_function(world)(world, ray))},
             {"tree_color", to_json(color)},
+            {"complete", complete},
             {"rays", rays}};
 }
 
@@ -111,10 +127,11 @@ std::string triple(const ordered_json& v) {
 
 void print_ray(const ordered_json& rays, std::size_t index) {
     const ordered_json& ray = rays[index];
-    const std::string indent(4 * ray["depth"].get<std::size_t>(), ' ');
-    fmt::print("{}{}  weight {}\n", indent,
+    const std::size_t depth = ray["depth"].get<std::size_t>();
+    const std::string indent(4 * std::min(depth, most_levels), ' ');
+    fmt::print("{}{}{}  weight {}\n", indent,
                paint(fmt::format("{} ray", ray["kind"].get<std::string>()), Tone::Bold),
-               triple(ray["weight"]));
+               depth > most_levels ? fmt::format(" of depth {}", depth) : "", triple(ray["weight"]));
     fmt::print("{}  from {} towards {}\n", indent, triple(ray["origin"]), triple(ray["direction"]));
     if (!ray["hit"].get<bool>()) {
         fmt::print("{}  hits nothing: background {}\n", indent, triple(ray["local"]));
@@ -136,6 +153,8 @@ void print_tree(const ordered_json& tree) {
     fmt::print("pixel ({}, {}) of {}: colour {}\n", tree["x"].get<int>(), tree["y"].get<int>(),
                tree["scene"].get<std::string>(), triple(tree["color"]));
     for (std::size_t i = 0; i < tree["rays"].size(); ++i) print_ray(tree["rays"], i);
+    if (!tree["complete"].get<bool>())
+        fmt::print("The tree goes on: these are its first {} rays.\n", tree["rays"].size());
 }
 
 // ------------------------------------------------------------------------------------- two trees
@@ -216,7 +235,7 @@ std::optional<TraceDifference> first_difference(const ordered_json& mine, const 
         return TraceDifference{std::min(a.size(), b.size()), "number of rays", std::to_string(a.size()),
                                std::to_string(b.size()), "07.5"};
     if (!same(mine["color"], theirs["color"]))
-        return TraceDifference{0, "colour of the pixel", text(mine["color"]), text(theirs["color"]),
+        return TraceDifference{0, colour_of_pixel, text(mine["color"]), text(theirs["color"]),
                                a.size() > 1 ? "07.6" : "01.6"};
     return std::nullopt;
 }
@@ -234,6 +253,7 @@ ordered_json student_trace(const Project& project, const TraceCommand& command) 
     options.time_limit = 60;
     options.merge_errors = false;
     options.environment = {{mine_variable, numbers_of(mine)}};
+    options.output_limit = std::size_t{256} << 20;
     const ProcessResult result =
         run_process({program(project, "course_mine").string(), "trace", command.scene.string(),
                      std::to_string(command.x), std::to_string(command.y), "--json"},
@@ -242,7 +262,18 @@ ordered_json student_trace(const Project& project, const TraceCommand& command) 
         throw InputError(result.timed_out     ? "your code takes more than a minute for this pixel"
                          : result.signal != 0 ? "your code crashed: " + signal_name(result.signal)
                                               : std::string("your code made no tree of this pixel"));
-    return ordered_json::parse(result.output);
+    ordered_json tree = ordered_json::parse(result.output, nullptr, false);
+    if (tree.is_discarded())
+        throw InputError("the tree that your code makes of this pixel is too large to compare");
+    return tree;
+}
+
+/// The rays in which both agree are told once, the first in which they do not, by both.
+void print_both(const ordered_json& mine, const ordered_json& theirs, std::size_t equal) {
+    if (equal > 0) fmt::print("{}\n", paint("both", Tone::Accent));
+    for (std::size_t i = 0; i < equal; ++i) print_ray(theirs, i);
+    if (equal < mine.size()) fmt::print("{}\n", paint("yours", Tone::Accent)), print_ray(mine, equal);
+    if (equal < theirs.size()) fmt::print("{}\n", paint("solution", Tone::Accent)), print_ray(theirs, equal);
 }
 
 int run_against(const TraceCommand& command) {
@@ -260,17 +291,14 @@ int run_against(const TraceCommand& command) {
         fmt::print("{}\n", json_text(object));
         return difference ? 1 : 0;
     }
-    const std::size_t count = difference ? difference->ray + 1 : theirs["rays"].size();
-    for (std::size_t i = 0; i < count; ++i) {
-        if (i < mine["rays"].size())
-            fmt::print("{}\n", paint("yours", Tone::Accent)), print_ray(mine["rays"], i);
-        if (i < theirs["rays"].size())
-            fmt::print("{}\n", paint("solution", Tone::Accent)), print_ray(theirs["rays"], i);
-    }
     if (!difference) {
+        print_tree(theirs);
         fmt::print("{}\n", paint("The two trees are the same.", Tone::Good));
         return 0;
     }
+    // Equal trees may still be summed up to different colours.
+    const bool all = difference->quantity == colour_of_pixel;
+    print_both(mine["rays"], theirs["rays"], all ? theirs["rays"].size() : difference->ray);
     fmt::print("{} {}: yours is {}, the solution's {}.\nLook at step {}: ./course hint {}\n",
                paint("First difference:", Tone::Bad), difference->quantity, difference->mine,
                difference->theirs, difference->step, difference->step);

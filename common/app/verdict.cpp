@@ -44,6 +44,9 @@ std::string details(const StepResult& result) {
 
 std::string next_action(const Chapter& chapter, const ChapterResult& result) {
     const std::string check = "./course check " + chapter.number;
+    if (result.build_error.starts_with("chapters/" + chapter.name) &&
+        result.build_error.find(" is missing; ") != std::string::npos)
+        return "./course reset " + chapter.number;
     if (!result.build_error.empty()) return "mend the compile error, then " + check;
     for (const StepResult& step : result.steps)
         if (step.state == State::Failed)

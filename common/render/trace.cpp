@@ -29,14 +29,14 @@ void shade(const World& world, TraceRecord& record) {
 
 }  // namespace
 
-std::vector<TraceRecord> trace_tree(const World& world, const Ray& ray) {
+std::vector<TraceRecord> trace_tree(const World& world, const Ray& ray, std::size_t most) {
     const bool bounces = world.needs.reflection || world.needs.refraction;
     TraceRecord first;
     first.branch.ray = ray;
     if (bounces) first.branch.media = world.eye_inside;
     std::vector<TraceRecord> tree;
     std::vector<TraceRecord> stack{first};
-    while (!stack.empty()) {
+    while (!stack.empty() && tree.size() < most) {
         TraceRecord record = std::move(stack.back());
         stack.pop_back();
         record.weight = record.branch.weight;

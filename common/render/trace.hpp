@@ -4,6 +4,8 @@
 #include "chapters/05_lighting/lighting.hpp"
 #include "chapters/07_recursion/radiance.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -30,7 +32,8 @@ struct TraceRecord {
 };
 
 /// The tree of `ray`, in the order in which `radiance` walks it. The sum of weight · local over it is the
-/// pixel's colour. Worlds that are not ray traced (flat, normals, ...) have one record.
-std::vector<TraceRecord> trace_tree(const World& world, const Ray& ray);
+/// pixel's colour. Worlds that are not ray traced (flat, normals, ...) have one record. The tree ends with
+/// `most` records, though it may go on: a ray that meets glass has two more at every level.
+std::vector<TraceRecord> trace_tree(const World& world, const Ray& ray, std::size_t most = SIZE_MAX);
 
 }  // namespace rt

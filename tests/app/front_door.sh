@@ -31,7 +31,7 @@ stand_in() {
 rm -rf "$machine"
 mkdir -p "$machine/bin" "$machine/tree"
 cp "$COURSE_ROOT/course" "$machine/tree"
-for tool in bash env dirname readlink sed grep tail head tr rm mkdir mktemp cat; do
+for tool in bash env dirname readlink sed grep tail head tr rm mkdir mktemp cat mv flock sleep; do
     ln -s "$(command -v $tool)" "$machine/bin/$tool"
 done
 export MACHINE=$machine
@@ -47,6 +47,8 @@ installed=$machine/installed
 stand_in dpkg-query 'while read -r p; do for q in "$@"; do [ "$p" = "$q" ] && echo "installed $p"; done; done <"$MACHINE/installed"; exit 1'
 # shellcheck disable=SC2016
 stand_in apt-get 'echo "apt-get $*" >>"$MACHINE/asked"
+[ -e "$MACHINE/locked" ] && { rm "$MACHINE/locked"; echo "E: Could not get lock /var/lib/dpkg/lock-frontend"; exit 100; }
+[ -e "$MACHINE/no_list" ] && [ "$1" = install ] && { mv "$MACHINE/no_list" "$MACHINE/locked"; echo "E: Unable to locate package"; exit 100; }
 [ "$1" = update ] && exit 0
 [ -e "$MACHINE/broken" ] && { echo "E: no network"; exit 100; }
 for p in "$@"; do case $p in -* | install) ;; *) echo "$p" >>"$MACHINE/installed" ;; esac; done'
@@ -76,15 +78,37 @@ if grep -qE 'apt-get|cmake -S' "$machine/asked"; then fail "nothing else was run
 stand_in id 'echo 0'
 expect "tests need more" 0 "Installing libcgal-dev libgmp-dev libmpfr-dev catch2" check 01
 grep -q 'cmake -S' "$machine/asked" || fail "new packages are found by configuring again" "$(cat "$machine/asked")"
+sed -i /povray/d "$installed"
+: >"$machine/locked"
+expect "apt runs elsewhere: wait and say so" 0 "Waiting for another program that installs packages" references
+grep -qx povray "$installed" || fail "and then install" "$(cat "$installed")"
+sed -i /povray/d "$installed"
+: >"$machine/no_list"
+expect "the lists' lock is waited for, too" 0 "Waiting for another program that installs packages" references
+grep -qx povray "$installed" || fail "and then install" "$(cat "$installed")"
+sed -i /povray/d "$installed"
 : >"$machine/broken"
 expect "apt fails: its last words, and the command" 2 "E: no network" references
 expect "apt fails: its last words, and the command" 2 "apt-get update && apt-get install .* povray" references
 expect "other commands go on" 0 "^program: list$" list
 
+rm "$machine/broken"
+echo kept >"$machine/tree/build/witness"
+expect "nothing is built anew" 0 "^program: list$" list
+[ -e "$machine/tree/build/witness" ] || fail "a build is kept"
+ln -s "$machine/tree" "$machine/link"
+(cd "$machine/link" && PATH=$machine/bin ./course list) >/dev/null 2>&1 || fail "through a link"
+[ -e "$machine/tree/build/witness" ] || fail "a build is kept when the tree is reached through a link"
+printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\n' "$machine/link" >"$machine/tree/build/CMakeCache.txt"
+expect "a build that was made through a link is kept, too" 0 "^program: list$" list
+[ -e "$machine/tree/build/witness" ] || fail "a build that was made through a link is kept, too"
+
 printf 'CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere\n' >"$machine/tree/build/CMakeCache.txt"
+echo '{"99.1":3}' >"$machine/tree/build/hints.json"
 : >"$machine/asked"
 expect "a moved tree is built anew" 0 "^program: $" ""
 grep -q 'cmake -S' "$machine/asked" || fail "a moved tree is configured" "$(cat "$machine/asked")"
+[ "$(cat "$machine/tree/.course/hints.json")" = '{"99.1":3}' ] || fail "hints of an earlier version are kept"
 
 : >"$machine/broken_build"
 expect "a broken build shows the error" 1 "y.cpp:1:2: error: no good" list

@@ -32,6 +32,7 @@ Outcome course(const std::string& arguments) {
         "cd '" + directory.string() + "' && '" + program + "' " + arguments + " 2>errors";
     ProcessOptions options;
     options.merge_errors = false;
+    options.output_limit = 1 << 26;
     const ProcessResult result = run_process({"sh", "-c", command}, options);
     return {result.signal == 0 ? result.exit_code : -result.signal, result.output,
             read_file(directory / "errors")};
@@ -480,4 +481,19 @@ TEST_CASE("a solution is shown without its marks") {
     REQUIRE(object["solution"].size() == 1);
     CHECK(object["solution"][0]["text"].get<std::string>().find("[exercise") == std::string::npos);
     CHECK(object["solution"][0]["text"].get<std::string>().find("solve_quadratic(") != std::string::npos);
+}
+
+TEST_CASE("the tree of a ray between two mirrors is as long as a person can use, and says that it goes on") {
+    write_scene(
+        "mirrors.scene",
+        "maxdepth 1000000\nspecular 1 1 1\nplane 0 0 -1 0 0 1\nplane 0 0 5 0 0 -1\nbackground 1 1 1\n");
+    const Outcome text = course("trace mirrors.scene 4 2");
+    REQUIRE(text.status == 0);
+    CHECK(text.out.size() < 10'000'000);
+    CHECK(text.out.find("The tree goes on: these are its first 10000 rays.\n") != std::string::npos);
+    // 16 levels of four columns are the most.
+    CHECK(text.out.find("\n" + std::string(65, ' ') + "r") == std::string::npos);
+    CHECK(text.out.find("\n" + std::string(64, ' ') + "reflection ray of depth 9999 ") != std::string::npos);
+    write_scene("ball.scene", "sphere 0 0 0 1\n");
+    CHECK(json::parse(course("trace ball.scene 4 2 --json").out)["complete"] == true);
 }

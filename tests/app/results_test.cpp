@@ -106,7 +106,7 @@ TEST_CASE("a verdict is remembered until a file of the chapter changes") {
     ChapterResult result = all_todo(tree.chapter());
     result.steps[0] = {"02.1", State::Passed, ""};
     result.steps[1] = {"02.2", State::Failed, "why\nwhere"};
-    remember(tree.project, tree.chapter(), result);
+    remember(tree.project, tree.chapter(), result, sources_fingerprint(tree.project, tree.chapter()));
     KnownResult known = known_result(tree.project, tree.chapter());
     CHECK(known.current);
     CHECK(known.result.steps[0].state == State::Passed);
@@ -123,9 +123,9 @@ TEST_CASE("a damaged memory is as good as none") {
     tree.start_first_step();
     for (const char* damage : {"", "[1]", "{\"02_spheres\":3}", "{\"02_spheres\":{\"build_error\":\"\"}}"}) {
         INFO("memory := " << damage);
-        test::write(tree.project.build / "state.json", damage);
+        test::write(tree.project.root / ".course" / "state.json", damage);
         CHECK_FALSE(known_result(tree.project, tree.chapter()).current);
-        CHECK_NOTHROW(remember(tree.project, tree.chapter(), all_todo(tree.chapter())));
+        CHECK_NOTHROW(remember(tree.project, tree.chapter(), all_todo(tree.chapter()), "1234"));
     }
 }
 

@@ -4,7 +4,8 @@
 # Run by `course test`, which sets COURSE_ROOT and COURSE_BUILD.
 set -eu
 : "${COURSE_ROOT:?}" "${COURSE_BUILD:?}"
-copy=$COURSE_BUILD/scratch/column
+# Directories have such names, too.
+copy=$COURSE_BUILD/scratch/"it's a \$5 column"
 failures=0
 
 fail() {
@@ -154,6 +155,56 @@ expect "and said at every step" 1 '"state":"failed","message":"'"$exercise" ./co
 expect "other chapters are checked all the same" 1 '○ 98.1' ./course check 98 99
 expect "the next thing to do" 0 "Next:" ./course
 
+# ---------------------------------------------------------------------------------- several at once
+
+# The right code passes, however many look at it, and whatever is being built anew meanwhile.
+start_again; set_step 99.1 'return n + 1;'; set_step 99.2 'return n + 2;'
+for round in 1 2 3; do
+    for one in 1 2 3 4; do
+        sed -i "1s|.*|// Round $round, $one.|" $exercise  # so that there is something to build
+        ./course check 99 >"$COURSE_BUILD/scratch/at_once.$one" 2>&1 &
+    done
+    wait
+    for one in 1 2 3 4; do
+        grep -q '2 of 2 steps' "$COURSE_BUILD/scratch/at_once.$one" ||
+            fail "four at once, round $round" "$(cat "$COURSE_BUILD/scratch/at_once.$one")"
+    done
+done
+expect_state "four at once, remembered" 99.1 passed
+[ -z "$(ls build/runs)" ] || fail "nothing is left of them" "$(ls build/runs)"
+
+flock .course/build.lock sleep 3 &
+sleep 1
+echo '1234: Building chapter 98' >.course/build.lock
+expect "what is waited for is said" 0 'Waiting for another ./course \(process 1234, Building chapter 98\)' ./course list
+wait
+flock .course/build.lock sleep 2 &
+sleep 1
+echo '1234: Building chapter 98' >.course/build.lock
+expect "by the program, too" 0 'Waiting for another ./course \(process 1234, Building chapter 98\)' build/bin/course check 99
+wait
+
+# --------------------------------------------------------------------------- a link, and what is kept
+
+ln -s "$copy" "$COURSE_BUILD/scratch/link"
+build_of() { ls -i build/bin/course-tool; }
+before=$(build_of)
+(cd "$COURSE_BUILD/scratch/link" && ./course list >/dev/null 2>&1) || fail "through a link of the directory"
+(cd "$COURSE_BUILD/scratch/link" && ./course check 99 >/dev/null 2>&1) || fail "through a link of the directory"
+[ "$(build_of)" = "$before" ] || fail "a link does not build anew"
+rm "$COURSE_BUILD/scratch/link"
+expect_state "and keeps what is known" 99.1 passed
+
+cp -p $exercise "$COURSE_BUILD/scratch/tiny.mine"
+rm $exercise
+expect "a deleted file is named" 1 "$exercise is missing; ./course reset 99" ./course check 99
+expect "by who needs it" 2 "$exercise is missing; ./course reset 99" \
+    ./course trace references/$name/one.scene 8 6 --against solutions
+expect "the next thing to do" 0 "Next: ./course reset 99" ./course
+expect "a deleted file comes back" 0 "$exercise was missing and is back" ./course reset 99
+cmp -s $exercise "$COURSE_BUILD/scratch/tiny.start" || fail "as it was at the start"
+expect "and can be built" 1 "0 of 2 steps" ./course check 99
+
 # ------------------------------------------------------------------------------- hints and fresh starts
 
 expect "the first hint" 0 "Hint 1 of 3: first" ./course hint 99.1
@@ -189,6 +240,12 @@ expect "or is told to use the solutions" 0 "solutions for all chapters" \
 cmp -s mine.png theirs.png || fail "both pictures are the same"
 expect "what is not started is named" 1 "needs step 01.[0-9] \(chapter 01, " \
     ./course render references/$name/one.scene -o mine.png --mine
+
+# ------------------------------------------------------------------------------------- a build is erased
+
+rm -rf build
+expect "hints taken are remembered" 0 "No hints are left" ./course hint 99.1
+expect_state "and results" 99.1 passed
 
 [ "$failures" = 0 ] && echo "everything is as it should be"
 exit $((failures > 0))

@@ -79,6 +79,18 @@ TEST_CASE("a recorded tree says who spawned whom, and how deep") {
     }
 }
 
+TEST_CASE("a recorded tree ends where it is told to, with the rays that it would begin with") {
+    const World world = world_of(balls);
+    const Ray ray = ray_of(world, 33, 15);
+    const std::vector<TraceRecord> whole = trace_tree(world, ray), part = trace_tree(world, ray, 3);
+    REQUIRE(whole.size() > 3);
+    REQUIRE(part.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(part[i].parent == whole[i].parent);
+        CHECK(part[i].local == whole[i].local);
+    }
+}
+
 TEST_CASE("decisions change where something else is hit, and not inside of one surface") {
     const World world = world_of(R"(size 9 9
 camera 0 0 5  0 0 0  0 1 0  45

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 using namespace rt;
 using namespace rt::report;
@@ -193,14 +194,14 @@ TEST_CASE("a grid asks few triangles, ever fewer of them all, and answers as bru
 TEST_CASE(
     "the families at a small size: the course's methods are right, and the textbook's fail in every "
     "chapter") {
-    std::size_t naive[10] = {};
+    std::map<std::string, std::size_t> naive;  // by chapter, however many there are
     for (const FamilyRow& family : measure_families({1'000, 4'000})) {
         INFO(family.chapter << " " << family.question << ", " << family.family << ": "
                             << stability::describe(family.stable));
         CHECK(family.stable.cases > 0);
         CHECK(family.stable.mismatches == 0);
         CHECK(family.stable.worst <= 1);
-        naive[std::stoul(family.chapter)] += family.naive.mismatches;
+        naive[family.chapter] += family.naive.mismatches;
     }
-    for (const std::size_t chapter : {2u, 3u, 4u, 6u, 7u, 9u}) CHECK(naive[chapter] > 0);
+    for (const char* chapter : {"02", "03", "04", "06", "07", "09"}) CHECK(naive[chapter] > 0);
 }
