@@ -517,9 +517,9 @@ Command commands[] = {
     {{"accelerator", "auto|none|grid|nested",
       "What is built so that a ray need not ask every shape: `nested` a grid of grids over each kind of "
       "shape and "
-      "each shared mesh, `grid` a single uniform one, `none` nothing; `auto` (default) a grid of grids where "
-      "it "
-      "pays. The picture is the same to the bit.",
+      "each shared mesh, `grid` a single uniform one, `none` nothing; `auto` (default) whichever of them is "
+      "found cheapest by samples and counts, around all shapes of a kind but at most 64 that are far out or "
+      "huge. The picture is the same to the bit.",
       "09"},
      [](Parser& p) {
          p.scene.accelerator = choice<Accelerator>(p, {{"auto", Accelerator::Auto},
