@@ -221,7 +221,7 @@ TEST_CASE("words that are not UTF-8 are remembered escaped") {
     ChapterResult result = all_todo(tree.chapter());
     result.build_error = "x.cpp:1: error: caf\xe9";
     result.steps[0] = {"02.1", State::Failed, "\xff\x1b"};
-    remember(tree.project, tree.chapter(), result);
+    remember(tree.project, tree.chapter(), result, sources_fingerprint(tree.project, tree.chapter()));
     const KnownResult known = known_result(tree.project, tree.chapter());
     CHECK(known.current);
     CHECK(known.result.build_error == "x.cpp:1: error: caf\\xe9");
