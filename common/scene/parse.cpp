@@ -5,6 +5,7 @@
 
 #include "common/math/error.hpp"
 #include "common/math/input_error.hpp"
+#include "common/scene/elsewhere.hpp"
 #include "common/scene/mesh_file.hpp"
 #include "common/scene/range.hpp"
 #include "common/scene/suggest.hpp"
@@ -58,6 +59,15 @@ std::string message_at(const Parser& parser, const char* where, const std::strin
     return parser.scene.file + ":" + std::to_string(parser.line_number) + ":" +
            std::to_string(where - parser.line.data() + 1) + ": " + what;
 }
+
+void warn(const Parser& parser, const char* where, const std::string& what) {
+    if (parser.options.warnings) parser.options.warnings->push_back(message_at(parser, where, what));
+}
+
+/// A value that later versions may know, such as a new integrator: lenient reading goes on without the line.
+struct UnknownValue : InputError {
+    using InputError::InputError;
+};
 
 /// Wrong, at the word.
 [[noreturn]] void fail(const Parser& parser, std::string_view word, const std::string& what) {
@@ -173,6 +183,17 @@ std::uint32_t index(const Parser& parser, std::size_t i, std::size_t count) {
     return static_cast<std::uint32_t>(value);
 }
 
+/// The same for the first argument of a setting that programs give other ranges: `maxdepth -1`.
+Real whole_setting(const Parser& parser, const char* noun, Real low, Real high) {
+    try {
+        return whole(parser, 1, noun, low, high);
+    } catch (const InputError& error) {
+        // What is not a number at all is wrong everywhere.
+        if (!parse_number(parser.words[1]).problem.empty()) throw;
+        throw UnknownValue(error.what());
+    }
+}
+
 template <class Enum>
 struct Choice {
     std::string_view name;
@@ -187,9 +208,12 @@ Enum choice(const Parser& parser, const Choice<Enum> (&choices)[N]) {
         if (each.name == parser.words[1]) return each.value;
         names.push_back(each.name);
     }
-    fail(parser, parser.words[1],
-         quoted(parser.words[1]) + " is not a known " + std::string(parser.words[0]) +
-             did_you_mean(parser.words[1], names) + expected(parser));
+    const std::string_view command = parser.words[0], word = parser.words[1];
+    std::string meaning = meaning_elsewhere(command, word);
+    if (meaning.empty()) meaning = did_you_mean(word, names);
+    throw UnknownValue(
+        message_at(parser, word.data(),
+                   quoted(word) + " is not a known " + std::string(command) + meaning + expected(parser)));
 }
 
 // Handlers that need more than a line
@@ -235,11 +259,14 @@ void add_mesh(Parser& parser) {
     const auto [found, is_new] = parser.mesh_of_file.try_emplace(
         error ? path.string() : canonical.string(), static_cast<std::uint32_t>(parser.scene.meshes.size()));
     if (is_new) {
+        std::vector<std::string> warnings;
         try {
-            parser.scene.meshes.push_back(read_mesh(path));
+            parser.scene.meshes.push_back(
+                read_mesh(path, {.lenient = parser.options.lenient, .warnings = &warnings}));
         } catch (const InputError& problem) {
             fail(parser, word, std::string("mesh ") + problem.what());
         }
+        for (const std::string& warning : warnings) warn(parser, word.data(), "mesh " + warning);
         parser.scene.meshes.back().file = word;
     }
     add_object(parser, MeshObject{found->second});
@@ -316,7 +343,7 @@ void set_adaptive(Parser& parser) {
 
 void set_version(Parser& parser) {
     if (parser.has_command) fail(parser, parser.words[0], "'version' must be the first command");
-    whole(parser, 1, "the version of the language", 1, 1);
+    whole_setting(parser, "the version of the language", 1, 1);
 }
 
 // The table
@@ -327,8 +354,14 @@ Command commands[] = {
      set_version},
     {{"size", "w h", "Size of the picture in pixels, each from 1 to 65536; default 640 480.", "01"},
      set_size},
-    {{"output", "file", "Default name of the picture's file; without blanks.", "01"},
-     [](Parser& p) { p.scene.output = p.words[1]; }},
+    {{"output", "file",
+      "Default name of the picture's file; without blanks. Folders are made below the current one. Of kinds "
+      "that are not written, such as `.bmp`, it becomes a `.png` of the same name.",
+      "01"},
+     [](Parser& p) {
+         p.scene.output = p.words[1];
+         p.scene.output_place = {p.line_number, static_cast<int>(p.words[1].data() - p.line.data()) + 1};
+     }},
     {{"camera", "fx fy fz ax ay az ux uy uz fovy",
       "Look from (fx, fy, fz) at (ax, ay, az), with the up direction (ux, uy, uz) and the vertical field of "
       "view `fovy` in degrees. Every scene needs one.",
@@ -459,7 +492,7 @@ Command commands[] = {
     {{"maxdepth", "n", "Greatest number of bounces; default 5.", "07"},
      [](Parser& p) {
          p.scene.max_depth =
-             static_cast<int>(whole(p, 1, "the number of bounces", 0, std::numeric_limits<int>::max()));
+             static_cast<int>(whole_setting(p, "the number of bounces", 0, std::numeric_limits<int>::max()));
      }},
     {{"mincontribution", "c",
       "Rays whose weight is not greater than c in any channel are not followed; default 0.", "07"},
@@ -482,7 +515,8 @@ Command commands[] = {
      [](Parser& p) { p.material.absorption = not_negative3(p, 1, "absorption"); }},
     {{"spp", "n", "Samples a pixel, from 1 to 65536; default 1, which lies in the pixel's centre.", "08"},
      [](Parser& p) {
-         p.scene.sampling.count = static_cast<int>(whole(p, 1, "the number of samples", 1, most_samples));
+         p.scene.sampling.count =
+             static_cast<int>(whole_setting(p, "the number of samples", 1, most_samples));
      }},
     {{"sampler", "jittered|random|regular|poisson|trapezoid|centered",
       "Where several samples lie: one at random in each of equal cells (default), all at random, in the "
@@ -512,7 +546,7 @@ Command commands[] = {
      set_filter},
     {{"seed", "n", "Which random numbers are used, from 0 to 2^53 − 1; default 0.", "08"},
      [](Parser& p) {
-         p.scene.sampling.seed = static_cast<std::uint64_t>(whole(p, 1, "the seed", 0, 0x1p53 - 1));
+         p.scene.sampling.seed = static_cast<std::uint64_t>(whole_setting(p, "the seed", 0, 0x1p53 - 1));
      }},
     {{"accelerator", "auto|none|grid|nested",
       "What is built so that a ray need not ask every shape: `nested` a grid of grids over each kind of "
@@ -547,54 +581,55 @@ const std::unordered_map<std::string_view, const Command*>& commands_by_name() {
 
 // Lines
 
+constexpr const char* line_skipped = " (line skipped)";
+
 void unknown_command(const Parser& parser) {
     std::vector<std::string_view> names;
     for (const Command& command : commands) names.push_back(command.text.name);
     const std::string_view word = parser.words[0];
-    const std::string what = "unknown command " + quoted(word) + did_you_mean(word, names);
+    std::string meaning = meaning_elsewhere(word);
+    if (meaning.empty()) meaning = did_you_mean(word, names);
+    const std::string what = "unknown command " + quoted(word) + meaning;
     if (!parser.options.lenient) fail(parser, word, what);
-    if (parser.options.warnings)
-        parser.options.warnings->push_back(message_at(parser, word.data(), what + " (line skipped)"));
+    warn(parser, word.data(), what + line_skipped);
 }
 
-void check_argument_count(const Parser& parser) {
+void check_argument_count(Parser& parser) {
     const std::size_t count = parser.words.size() - 1, needed = parser.command->arguments;
-    const auto complain = [&](const char* where, const char* adverb) {
-        throw InputError(message_at(parser, where,
-                                    quoted(parser.words[0]) + " needs " + adverb + std::to_string(needed) +
-                                        (needed == 1 ? " argument" : " arguments") + ", here " +
-                                        (count == 1 ? "is " : "are ") + std::to_string(count) +
-                                        expected(parser)));
+    const auto complaint = [&](const char* adverb) {
+        return quoted(parser.words[0]) + " needs " + adverb + std::to_string(needed) +
+               (needed == 1 ? " argument" : " arguments") + ", here " + (count == 1 ? "is " : "are ") +
+               std::to_string(count) + expected(parser);
     };
     // What is missing is missing behind the last word.
     if (count < needed)
-        complain(parser.words.back().data() + parser.words.back().size(),
-                 parser.command->any_more ? "at least " : "");
-    if (count > needed && !parser.command->any_more) complain(parser.words[needed + 1].data(), "");
+        throw InputError(message_at(parser, parser.words.back().data() + parser.words.back().size(),
+                                    complaint(parser.command->any_more ? "at least " : "")));
+    if (count == needed || parser.command->any_more) return;
+    const std::string_view surplus = parser.words[needed + 1];
+    if (!parser.options.lenient) fail(parser, surplus, complaint(""));
+    warn(parser, surplus.data(), complaint("") + " (the rest of the line is skipped)");
+    parser.words.resize(needed + 1);
 }
 
 void parse_line(Parser& parser) {
     if (parser.line.size() > longest_line)
         fail(parser, parser.line, "the line is longer than a megabyte: this does not look like a scene file");
-    split_words(parser.line, parser.words);
+    if (const char* const comment = split_words(parser.line, parser.words))
+        warn(parser, comment, std::string(comment_inside_word));
     if (parser.words.empty()) return;
     const auto found = commands_by_name().find(parser.words[0]);
     if (found == commands_by_name().end()) return unknown_command(parser);
     parser.command = found->second;
     check_argument_count(parser);
-    parser.command->handle(parser);
+    try {
+        parser.command->handle(parser);
+    } catch (const UnknownValue& problem) {
+        if (!parser.options.lenient) throw;
+        if (parser.options.warnings)
+            parser.options.warnings->push_back(problem.what() + std::string(line_skipped));
+    }
     parser.has_command = true;
-}
-
-void check_is_text(std::string_view text, const std::string& name) {
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        throw InputError(name + ":1:1: the file is in UTF-16; save it as UTF-8");
-    const std::size_t nul = text.find('\0');
-    if (nul == std::string_view::npos) return;
-    const std::string_view before = text.substr(0, nul);
-    const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-    throw InputError(name + ":" + std::to_string(std::count(before.begin(), before.end(), '\n') + 1) + ":" +
-                     std::to_string(nul - line_start + 1) + ": a zero byte: this is not a text file");
 }
 
 }  // namespace
@@ -603,12 +638,11 @@ Scene parse_scene_text(std::string_view text, const std::string& name, const std
                        const ParseOptions& options) {
     text = without_bom(text);
     check_is_text(text, name);
-    const char line_end = line_end_of(text);
 
     Parser parser{options, directory};
     parser.scene.file = name;
     while (!text.empty()) {
-        parser.line = take_line(text, line_end);
+        parser.line = take_line(text);
         ++parser.line_number;
         parse_line(parser);
     }

@@ -18,8 +18,11 @@ inline constexpr int most_samples = 65536;  ///< a pixel, in one pattern
 
 /// How strictly to read, and what else may be read.
 struct ParseOptions {
-    bool lenient = false;  ///< skip unknown commands with a warning; without this they are errors
-    bool meshes = true;    ///< `mesh` may read files; without this it is an error
+    /// Skip with a warning what other programs may know: unknown commands, lines with unknown values of a
+    /// choice or of a setting (`maxdepth -1`), arguments beyond the last, and in meshes what MeshOptions
+    /// says.
+    bool lenient = false;
+    bool meshes = true;                            ///< `mesh` may read files; without this it is an error
     std::vector<std::string>* warnings = nullptr;  ///< one line each is appended; may be null
 };
 

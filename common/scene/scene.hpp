@@ -150,6 +150,7 @@ struct Scene {
     Accelerator accelerator = Accelerator::Auto;
     Sampling sampling;
     std::string output;  ///< `output`; empty if not said
+    SourcePlace output_place;
     Encoding encoding = Encoding::Linear;
     Integrator integrator = Integrator::Raytrace;
     Vec3 background{0};

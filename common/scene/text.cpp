@@ -20,6 +20,14 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' |
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
+/// Whether the '#' at `at` belongs to NaN or infinity as Microsoft's compilers print them: `1.#QNAN`,
+/// `-1.#IND`.
+bool is_in_number(std::string_view word, const char* at) {
+    const char* const end = word.data() + word.size();
+    return at - word.data() >= 2 && at[-1] == '.' && at[-2] >= '0' && at[-2] <= '9' && end - at >= 2 &&
+           at[1] >= 'A' && at[1] <= 'Z';
+}
+
 bool continues_utf8(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 /// `; did you mean 'x'?` for a path that does not exist, from the names beside it.
@@ -46,6 +54,7 @@ ParsedNumber parse_number(std::string_view word) {
     Real value = 0;
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error == std::errc::invalid_argument) return {0, "is not a number"};
+    if (stop != end && *stop == '#') return {0, "is not a finite number"};  // as split_words has kept it
     if (stop != end)
         return {0, *stop == ',' ? "is not a number: decimals are written with a point" : "is not a number"};
     if (error == std::errc::result_out_of_range) return {0, "is beyond the numbers that a double can hold"};
@@ -71,29 +80,42 @@ std::string shown(Real value) {
     return {text.data(), result.ptr};
 }
 
-void split_words(std::string_view line, std::vector<std::string_view>& words) {
+const char* split_words(std::string_view line, std::vector<std::string_view>& words) {
     words.clear();
     const char* at = line.data();
     const char* const end = at + line.size();
     while (true) {
         while (at != end && is_blank(*at)) ++at;
         const char* const begin = at;
-        while (at != end && !is_blank(*at) && *at != '#') ++at;
-        if (at == begin) return;
+        while (at != end && !is_blank(*at) && (*at != '#' || is_in_number({begin, end}, at))) ++at;
+        if (at == begin) return nullptr;
         words.emplace_back(begin, static_cast<std::size_t>(at - begin));
+        if (at != end && *at == '#') return at;
     }
 }
 
-std::string_view take_line(std::string_view& text, char line_end) {
-    const std::size_t length = std::min(text.find(line_end), text.size());
-    const std::string_view line = text.substr(0, length);
-    text.remove_prefix(std::min(length + 1, text.size()));
+std::string_view take_line(std::string_view& text) {
+    const char* const begin = text.data();
+    const char* const end = begin + text.size();
+    const char* at = begin;
+    while (at != end && *at != '\n' && *at != '\r') ++at;
+    const std::string_view line(begin, static_cast<std::size_t>(at - begin));
+    if (at != end && *at == '\r' && at + 1 != end && at[1] == '\n') ++at;
+    if (at != end) ++at;
+    text.remove_prefix(static_cast<std::size_t>(at - begin));
     return line;
 }
 
-char line_end_of(std::string_view text) {
-    return text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos ? '\r'
-                                                                                                  : '\n';
+void check_is_text(std::string_view text, const std::string& name) {
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        throw InputError(name + ":1:1: the file is in UTF-16; save it as UTF-8");
+    const std::size_t nul = text.find('\0');
+    if (nul == std::string_view::npos) return;
+    int line_number = 0;
+    std::string_view line, rest = text.substr(0, nul + 1);
+    for (; !rest.empty(); ++line_number) line = take_line(rest);
+    throw InputError(name + ":" + std::to_string(line_number) + ":" + std::to_string(line.size()) +
+                     ": a zero byte: this is not a text file");
 }
 
 std::string read_text(const std::filesystem::path& path, const std::string& name) {

@@ -27,16 +27,22 @@ std::string quoted(std::string_view word);
 /// A value as a message shows it: the shortest decimal number that reads back as the same double.
 std::string shown(Real value);
 
-/// Fills `words` with the words of a line, up to a `#`; they are parts of `line`. Words are separated by
-/// blanks, tabs, carriage returns and form feeds.
-void split_words(std::string_view line, std::vector<std::string_view>& words);
+/// Fills `words` with the words of a line, up to a comment; they are parts of `line`. Words are separated by
+/// blanks, tabs, carriage returns and form feeds. A `#` begins a comment, but not in NaN and infinity as some
+/// compilers print them (`-1.#IND`). Returns the `#` of a comment that begins inside a word, else null: it
+/// deserves a warning, because `4#8` reads as 4.
+const char* split_words(std::string_view line, std::vector<std::string_view>& words);
+
+/// The warning of that.
+inline constexpr std::string_view comment_inside_word =
+    "a comment begins inside a word; put a blank before the '#'";
 
 /// Takes the next line, without its end, off the front of `text`; `text` must not be empty. Lines end with
-/// `line_end`, the last one also with the text.
-std::string_view take_line(std::string_view& text, char line_end);
+/// "\n", "\r\n" or "\r", mixed as they may be, the last one also with the text.
+std::string_view take_line(std::string_view& text);
 
-/// How lines end in `text`: '\n' (a '\r' before it counts as a blank), or '\r' where there is no '\n'.
-char line_end_of(std::string_view text);
+/// Throws InputError `name:line:column: …` for UTF-16 and for a zero byte, which no text has.
+void check_is_text(std::string_view text, const std::string& name);
 
 /// The content of a text file. Throws InputError, with `name` in front and the reason, where there is no such
 /// file (with a suggestion where one of a similar name is beside it) or it is a directory, and as

@@ -2,6 +2,7 @@
 #include "common/scene/parse.hpp"
 
 #include "common/math/input_error.hpp"
+#include "common/scene/elsewhere.hpp"
 #include "common/scene/suggest.hpp"
 #include "common/scene/text.hpp"
 #include "tests/catch.hpp"
@@ -501,15 +502,95 @@ TEST_CASE("what is no text is refused with its place") {
     CHECK(error_of(std::string(100, 'x')) == "s:1:1: unknown command '" + std::string(40, 'x') + "…'");
 }
 
-TEST_CASE("lenient reading skips unknown commands, says so, and forgives nothing else") {
+TEST_CASE("lenient reading skips what other programs may know, says so, and forgives nothing else") {
     std::vector<std::string> warnings;
     const ParseOptions lenient{.lenient = true, .warnings = &warnings};
     CHECK(parse("spere 0 0 0 1\nsphere 0 0 0 1\nmotionblur", lenient).objects.size() == 1);
     CHECK(warnings ==
           std::vector<std::string>{"s:1:1: unknown command 'spere'; did you mean 'sphere'? (line skipped)",
                                    "s:3:1: unknown command 'motionblur' (line skipped)"});
-    CHECK(error_of("sphere 0 0 0", lenient) != "");
+    warnings.clear();
+    const Scene scene = parse(
+        "integrator direct\nmaxdepth -1\nspp 0\nsphere 0 0 0 1 red\nshadows maybe\nseed 1.5\n", lenient);
+    CHECK(scene.integrator == Integrator::Raytrace);
+    CHECK(scene.max_depth == 5);
+    CHECK(scene.sampling.count == 1);
+    CHECK(shape<Sphere>(scene).radius == 1);
+    CHECK(scene.shadows);
+    REQUIRE(warnings.size() == 6);
+    CHECK(warnings[0] ==
+          "s:1:12: 'direct' is not a known integrator; it comes with chapter 12; expected: integrator "
+          "raytrace|flat|directions|normals|uv|rasterize (line skipped)");
+    CHECK(warnings[1] == "s:2:10: the number of bounces must be from 0 to 2147483647, not -1 (line skipped)");
+    CHECK(warnings[3] ==
+          "s:4:16: 'sphere' needs 4 arguments, here are 5; expected: sphere x y z r (the rest of the line is "
+          "skipped)");
+    for (const char* wrong : {"sphere 0 0 0", "sphere 0 0 0 -1", "maxdepth many", "spp nan", "size 0 0",
+                              "tri 0 1 2", "popTransform", "diffuse 1 x 1"}) {
+        INFO(wrong);
+        CHECK(error_of(wrong, lenient) == error_of(wrong));
+        CHECK(error_of(wrong, lenient) != "");
+    }
     CHECK(parse("spere", {.lenient = true}).objects.empty());
+}
+
+TEST_CASE("words that other programs use are known by what they are called here") {
+    const auto hint = [](const std::string& line) {
+        const std::string message = error_of(line);
+        const std::size_t begin = message.find("; ");
+        return begin == std::string::npos ? "" : message.substr(begin, message.find("; expected") - begin);
+    };
+    CHECK(hint("triangle 0 1 2") == "; did you mean 'tri'?");
+    CHECK(hint("Refraction 1 1 1") == "; did you mean 'transmission' or 'ior'?");
+    CHECK(hint("antialias 4") == "; did you mean 'spp'?");
+    CHECK(hint("samples 4") == "; did you mean 'spp'?");
+    CHECK(hint("light 0 0 0 1 1 1") == "; did you mean 'point' or 'directional'?");
+    CHECK(hint("quadLight -1 2 -1 2 0 0 0 0 2 5 5 5") == "; it comes with chapter 12");
+    CHECK(hint("integrator whitted") == "; did you mean 'raytrace'?");
+    CHECK(hint("integrator pathtracer") == "; it comes with chapter 14");
+    CHECK(hint("shadows true") == "; did you mean 'on'?");
+    // What is a word of this language has no other meaning.
+    for (const SceneCommand& command : scene_commands()) {
+        INFO(command.name);
+        CHECK(meaning_elsewhere(command.name) == "");
+        std::istringstream words{std::string(command.arguments)};
+        for (std::string word; std::getline(words, word, '|');)
+            CHECK(meaning_elsewhere(command.name, word) == "");
+    }
+    // And every meaning is one.
+    for (const char* word : {"resolution", "lookat", "eye", "aa", "ball", "obj", "kd", "mirror", "glass",
+                             "sun", "falloff", "pushMatrix", "pointLight", "bgcolor"}) {
+        std::string meaning = meaning_elsewhere(word);
+        INFO(word << meaning);
+        const std::size_t begin = meaning.find('\'') + 1;
+        const std::string name = meaning.substr(begin, meaning.find('\'', begin) - begin);
+        CHECK(std::any_of(scene_commands().begin(), scene_commands().end(),
+                          [&](const SceneCommand& command) { return command.name == name; }));
+    }
+}
+
+TEST_CASE("a lone carriage return ends a line, whatever ends the others") {
+    CHECK(parse("# the ball\rsphere 0 0 0 1").objects.size() == 1);
+    CHECK(parse("# old Mac\rsize 3 2\rsphere 0 0 0 1\r\nsphere 1 0 0 1\rsphere 2 0 0 1").objects.size() == 3);
+    CHECK(error_of("size 3 2\rsize 3 2\r\nsize 3 2\n\rsphere 0 0 0 x").starts_with("s:5:14: 'x'"));
+    CHECK(error_of("size 3 2\r\rsph" + std::string(1, '\0')) ==
+          "s:3:4: a zero byte: this is not a text file");
+}
+
+TEST_CASE("a comment inside a word is warned of, and NaN of any compiler is an error") {
+    std::vector<std::string> warnings;
+    CHECK(shape<Sphere>(parse("sphere 0 0 0 2#5", {.warnings = &warnings})).radius == 2);
+    CHECK(warnings ==
+          std::vector<std::string>{"s:1:15: a comment begins inside a word; put a blank before the '#'"});
+    warnings.clear();
+    parse("sphere 0 0 0 2 #5\n# a#b\n", {.warnings = &warnings});
+    CHECK(warnings.empty());
+    for (const char* word : {"-1.#IND", "1.#QNAN", "1.#INF", "1.#INF000", "nan", "-nan(ind)", "inf"}) {
+        INFO(word);
+        CHECK(error_of("sphere 0 0 " + std::string(word) + " 1") ==
+              "s:1:12: '" + std::string(word) + "' is not a finite number; expected: sphere x y z r");
+    }
+    CHECK(shape<Sphere>(parse("sphere 0 0 0 1.#ball")).radius == 1);
 }
 
 TEST_CASE("files that cannot be read are named with the reason") {
@@ -565,7 +646,7 @@ TEST_CASE("what is wrong with a mesh is said with the lines of both files") {
         }
         return "";
     };
-    CHECK(message("  mesh a.obj") == "s:2:8: mesh " + directory + "/a.obj:2: 'zero' is not a number");
+    CHECK(message("  mesh a.obj") == "s:2:8: mesh " + directory + "/a.obj:2:7: 'zero' is not a number");
     CHECK(message("mesh b.obj") ==
           "s:2:6: mesh " + directory + "/b.obj: there is no such file; did you mean 'a.obj'?");
     CHECK(error_of("mesh a.obj", {.meshes = false}) == "s:1:1: mesh files are not read here");
