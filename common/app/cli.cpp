@@ -74,7 +74,7 @@ struct Line {
                  "./course"};
     Action action = [this] { return run_status(json); };
 
-    bool json = false, all = false, spoil = false, quick = false, make = false;
+    bool json = false, all = false, spoil = false, quick = false, make = false, lenient = false;
     std::string step, chapter;
     std::filesystem::path scene, output;
     CheckCommand check;
@@ -98,6 +98,8 @@ struct Line {
 };
 
 constexpr const char* for_maintainers = "For maintainers";
+constexpr const char* lenient_help =
+    "skip with a warning what other programs may know of the scene: commands, values, arguments";
 
 void add_learning(Line& line) {
     CLI::App* sub = line.command("check",
@@ -155,7 +157,7 @@ void add_pictures(Line& line) {
     sub->add_flag("--mine", line.render.mine, "with your code for all chapters, also where it does not pass")
         ->excludes(solutions);
     sub->add_flag("--preview", line.render.preview, "show the picture in the terminal, too");
-    sub->add_flag("--lenient", line.render.lenient, "skip unknown commands of the scene with a warning");
+    sub->add_flag("--lenient", line.render.lenient, lenient_help);
     sub->add_flag("--quiet", line.render.quiet, "no progress and no summary");
 
     sub = line.command("compare", "how far a picture is from a reference",
@@ -176,7 +178,7 @@ void add_pictures(Line& line) {
                        "explain references/02_spheres/normals.scene",
                        [&line] { return run_explain(line.explain); });
     sub->add_option("scene", line.explain.scene, "the scene's file")->required();
-    sub->add_flag("--lenient", line.explain.lenient, "skip unknown commands of the scene with a warning");
+    sub->add_flag("--lenient", line.explain.lenient, lenient_help);
 
     sub = line.command("trace", "the ray tree of one pixel",
                        "trace references/02_spheres/normals.scene 160 120",
@@ -188,19 +190,21 @@ void add_pictures(Line& line) {
     sub->add_option("y", line.trace.y, "the pixel's row, from 0 at the top")
         ->transform(whole_number(0, largest_side - 1))
         ->required();
+    sub->add_flag("--lenient", line.trace.lenient, lenient_help);
     sub->add_option("--against", line.trace.against,
                     "solutions: your tree beside theirs, to the first difference");
 
     sub =
         line.command("export", "a scene for POV-Ray",
                      "export references/02_spheres/normals.scene -o normals.pov", [&line] {
-                         const int status = run_export(line.scene, line.output);
+                         const int status = run_export(line.scene, line.output, line.lenient);
                          if (line.json)
                              fmt::print("{}\n", json_text(nlohmann::json{{"output", line.output.string()}}));
                          return status;
                      });
     sub->add_option("scene", line.scene, "the scene's file")->required();
     sub->add_option("-o,--output", line.output, "the file for POV-Ray")->required();
+    sub->add_flag("--lenient", line.lenient, lenient_help);
 }
 
 void add_project(Line& line) {

@@ -91,6 +91,7 @@ struct TraceCommand {
     int x = 0;            ///< pixel's column, from the left
     int y = 0;            ///< pixel's row, from the top
     std::string against;  ///< "solutions": the student's tree beside the solutions'; or empty
+    bool lenient = false;
     bool json = false;
 };
 

@@ -6,6 +6,7 @@
 #include "common/app/json_text.hpp"
 #include "common/app/process.hpp"
 #include "common/app/random_scenes.hpp"
+#include "common/app/scene_file.hpp"
 #include "common/app/tour.hpp"
 #include "common/image/compare.hpp"
 #include "common/image/file.hpp"
@@ -515,8 +516,8 @@ int run_random_references(const RandomReferencesOptions& options, const Project&
     return differ > 0 || refused > equal ? 1 : 0;
 }
 
-int run_export(const fs::path& scene, const fs::path& output) {
-    const Scene parsed = parse_scene(scene);
+int run_export(const fs::path& scene, const fs::path& output, bool lenient) {
+    const Scene parsed = read_scene(scene, lenient);
     require_no_input(output, files_of(scene, parsed));
     require_writable(output);
     write_file(output, export_povray(parsed));

@@ -55,6 +55,6 @@ struct RandomReferencesOptions {
 int run_random_references(const RandomReferencesOptions& options, const Project& project = this_project());
 
 /// Writes the scene for POV-Ray. Returns the exit status. Throws InputError for what POV-Ray cannot express.
-int run_export(const std::filesystem::path& scene, const std::filesystem::path& output);
+int run_export(const std::filesystem::path& scene, const std::filesystem::path& output, bool lenient);
 
 }  // namespace rt

@@ -4,6 +4,7 @@
 #include "common/app/console.hpp"
 #include "common/app/json_text.hpp"
 #include "common/app/process.hpp"
+#include "common/app/scene_file.hpp"
 #include "common/image/file.hpp"
 #include "common/image/terminal.hpp"
 #include "common/math/input_error.hpp"
@@ -68,20 +69,13 @@ std::pair<int, int> size_from(const std::string& text) {
     return {width, height};
 }
 
-Scene read_scene(const fs::path& file, bool lenient, std::vector<std::string>& warnings) {
-    return parse_scene(file, {.lenient = lenient, .warnings = &warnings});
-}
-
 /// Where the picture goes; throws before any work if it is of no kind that can be written.
-fs::path output_of(const RenderCommand& command, const Scene& scene) {
-    fs::path output = command.output;
-    if (output.empty()) output = scene.output;
-    if (output.empty()) output = command.scene.stem().replace_extension(".png");
-    const std::string ending = output.extension().string();
-    if (ending != ".png" && ending != ".pfm" && ending != ".hdr")
-        throw InputError(
-            fmt::format("{}: pictures end in .png, .pfm or .hdr, not in '{}'", output.string(), ending));
-    return output;
+fs::path output_of(const RenderCommand& command, const Scene& scene, std::vector<std::string>& warnings) {
+    if (command.output.empty()) return picture_of(scene, warnings);
+    if (!is_picture(command.output))
+        throw InputError(fmt::format("{}: pictures end in .png, .pfm or .hdr, not in '{}'",
+                                     command.output.string(), command.output.extension().string()));
+    return command.output;
 }
 
 /// Goes on as the program that is linked with the student's chapters, if there are any to use; else returns.
@@ -126,7 +120,7 @@ std::string sampling_of(const RenderResult& result) {
 int run_render(const RenderCommand& command) {
     std::vector<std::string> warnings;
     Scene scene = read_scene(command.scene, command.lenient, warnings);
-    const fs::path output = output_of(command, scene);
+    const fs::path output = output_of(command, scene, warnings);
     require_no_input(output, files_of(command.scene, scene));
     require_writable(output);
     if (!command.size.empty()) std::tie(scene.width, scene.height) = size_from(command.size);

@@ -6,6 +6,7 @@
 #include "common/app/console.hpp"
 #include "common/app/json_text.hpp"
 #include "common/app/process.hpp"
+#include "common/app/scene_file.hpp"
 #include "common/app/trace.hpp"
 #include "common/math/input_error.hpp"
 #include "common/render/compile.hpp"
@@ -92,7 +93,7 @@ ordered_json to_json(const Scene& scene, const World& world, const TraceRecord& 
 }
 
 ordered_json trace_json(const TraceCommand& command) {
-    Scene scene = parse_scene(command.scene);
+    Scene scene = read_scene(command.scene, command.lenient);
     if (command.x < 0 || command.y < 0 || command.x >= scene.width || command.y >= scene.height)
         throw InputError(fmt::format("pixel ({}, {}) is outside the picture of {} × {}", command.x, command.y,
                                      scene.width, scene.height));
@@ -254,10 +255,14 @@ ordered_json student_trace(const Project& project, const TraceCommand& command) 
     options.merge_errors = false;
     options.environment = {{mine_variable, numbers_of(mine)}};
     options.output_limit = std::size_t{256} << 20;
-    const ProcessResult result =
-        run_process({program(project, "course_mine").string(), "trace", command.scene.string(),
-                     std::to_string(command.x), std::to_string(command.y), "--json"},
-                    options);
+    std::vector<std::string> line{program(project, "course_mine").string(),
+                                  "trace",
+                                  command.scene.string(),
+                                  std::to_string(command.x),
+                                  std::to_string(command.y),
+                                  "--json"};
+    if (command.lenient) line.push_back("--lenient");
+    const ProcessResult result = run_process(line, options);
     if (!succeeded(result))
         throw InputError(result.timed_out     ? "your code takes more than a minute for this pixel"
                          : result.signal != 0 ? "your code crashed: " + signal_name(result.signal)

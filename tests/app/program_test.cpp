@@ -356,6 +356,61 @@ TEST_CASE("render writes what the scene says, and JSON in the documented form") 
     CHECK(std::filesystem::exists(in_scratch("ball.png")));
 }
 
+TEST_CASE("every name that a scene gives its picture ends in a picture") {
+    const auto rendered = [](const std::string& output, const std::string& picture,
+                             const std::string& warning) {
+        INFO(output);
+        write_scene("named.test", "output " + output + "\nsphere 0 0 0 1\n");
+        std::filesystem::remove_all(in_scratch(picture));
+        const Outcome outcome = course("render named.test --solutions --quiet");
+        CHECK(outcome.status == 0);
+        CHECK(outcome.errors == warning);
+        CHECK(std::filesystem::exists(in_scratch(picture)));
+    };
+    const auto becomes = [](const std::string& output, const std::string& picture) {
+        return "named.test:3:8: pictures are written as .png, .pfm or .hdr: '" + output + "' becomes '" +
+               picture + "'\n";
+    };
+    rendered("a.png", "a.png", "");
+    rendered("A.PNG", "A.PNG", "");
+    rendered("b.Pfm", "b.Pfm", "");
+    rendered("c.bmp", "c.png", becomes("c.bmp", "c.png"));
+    rendered("d", "d.png", becomes("d", "d.png"));
+    std::filesystem::remove_all(in_scratch("made"));
+    rendered("made/here/e.png", "made/here/e.png", "");
+    rendered("made/f.tga", "made/f.png", becomes("made/f.tga", "made/f.png"));
+
+    const auto refused = [](const std::string& output, const std::string& what) {
+        write_scene("named.test", "output " + output + "\n");
+        check_refused("render named.test --solutions", "named.test:3:8: " + what);
+        CHECK(course("render named.test --solutions --quiet -o other.png").status == 0);
+    };
+    refused("../nowhere/a.png", "there is no folder '../nowhere'; -o FILE writes the picture elsewhere");
+    refused("/nowhere/a.png", "there is no folder '/nowhere'; -o FILE writes the picture elsewhere");
+    refused("a.png/b.png", "there is no folder 'a.png'; -o FILE writes the picture elsewhere");
+    refused("made/", "'made/' names no file; -o FILE says where the picture goes");
+    // What a person says on the command line is meant.
+    check_refused("render named.test --solutions -o a.bmp",
+                  "a.bmp: pictures end in .png, .pfm or .hdr, not in '.bmp'");
+}
+
+TEST_CASE("every command that reads a scene can read it leniently") {
+    write_scene("other.test",
+                "quadLight -1 2 -1 2 0 0 0 0 2 5 5 5\nintegrator direct\nmaxdepth -1\nsphere 0 0 0 1 2\n");
+    const std::string commands[] = {"render other.test --solutions --quiet", "explain other.test",
+                                    "trace other.test 4 2", "export other.test -o other.pov"};
+    for (const std::string& command : commands) {
+        INFO(command);
+        check_refused(command, "other.test:3:1: unknown command 'quadLight'; it comes with chapter 12");
+        const Outcome lenient = course(command + " --lenient");
+        CHECK(lenient.status == 0);
+        CHECK(std::count(lenient.errors.begin(), lenient.errors.end(), '\n') == 4);
+        for (const char* place :
+             {"other.test:3:1: ", "other.test:4:12: ", "other.test:5:10: ", "other.test:6:16: "})
+            CHECK(lenient.errors.find(place) != std::string::npos);
+    }
+}
+
 TEST_CASE("render takes samples until there are enough, the error is small or time is over") {
     write_scene("edge.scene", "integrator flat\nambient 1 0 0\nsphere 0 0 0 1\n");
     const auto rendered = [](const std::string& options) {
