@@ -1,6 +1,5 @@
-// The scene and mesh parsers under libFuzzer: whatever the bytes, out comes a scene or an InputError of one
+// The scene parser under libFuzzer: whatever the bytes, out comes a scene or an InputError of one
 // line. README.md beside this file says how to build and run it.
-#include "common/scene/mesh_file.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/fuzz/must.hpp"
 
@@ -27,16 +26,6 @@ void check_scene(const rt::Scene& scene) {
         require(scene.transforms[i].parent < static_cast<int>(i));
 }
 
-void check_mesh(const rt::Mesh& mesh) {
-    for (const auto& triangle : mesh.triangles)
-        for (const rt::Mesh::Corner& corner : triangle) {
-            require(corner.position >= 0 &&
-                    static_cast<std::size_t>(corner.position) < mesh.positions.size());
-            require(corner.normal >= -1 && corner.normal < static_cast<int>(mesh.normals.size()));
-            require(corner.uv >= -1 && corner.uv < static_cast<int>(mesh.uvs.size()));
-        }
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
@@ -47,6 +36,5 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
             check_scene(rt::parse_scene_text(text, "fuzz", {},
                                              {.lenient = lenient, .meshes = false, .warnings = &warnings}));
         });
-    rt::fuzz::must_read_or_refuse([&] { check_mesh(rt::parse_mesh(text, "fuzz")); });
     return 0;
 }
