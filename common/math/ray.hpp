@@ -7,10 +7,10 @@ namespace rt {
 
 /// Half-line of points `origin + t * direction`, t > 0.
 ///
-/// `direction` need not be a unit vector; every t in the course is in units of |direction|. Its length is from
-/// 1e-30 to 1e30: it is 1 where a ray goes through a scene, and transforms, which are looked at when a scene is
-/// compiled, stretch and shrink it no more than that. Much shorter and longer ones may be answered wrongly,
-/// because squares leave the range of Real.
+/// `direction` need not be a unit vector; every t in the course is in units of |direction|. Its length is
+/// from 1e-30 to 1e30: 1 where a ray goes through a scene, and compiled transforms stretch and shrink it no
+/// more than that. Much shorter and longer ones may be answered wrongly, because squares leave the range of
+/// Real.
 /// `time` is the instant in the shutter interval [0, 1]; static scenes leave it 0.
 struct Ray {
     Vec3 origin{0};

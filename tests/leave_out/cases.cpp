@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace rt::test {
 namespace {
@@ -183,7 +184,7 @@ Vec3 glass_balls(const World& world, const Ray& ray) {
     camera.ray = ray;
     std::vector<Branch> stack{camera};
     while (!stack.empty()) {
-        const Branch branch = stack.back();
+        const Branch branch = std::move(stack.back());
         stack.pop_back();
         const std::optional<Hit> hit = closest_hit(world, branch.ray, everything);
         if (!hit) {
@@ -194,11 +195,11 @@ Vec3 glass_balls(const World& world, const Ray& ray) {
         const Material& material = material_at(world, *hit, surface);
         const Vec3 n = towards_viewer(surface.shading_normal, branch.ray);
         sum += branch.weight * local_light(world, surface, material, n, -branch.ray.direction);
-        const Branches next = scatter(world, branch, *hit, surface, material);
+        Branches next = scatter(world, branch, *hit, surface, material);
         for (int i = next.count - 1; i >= 0; --i) {
-            const Branch& one = next.branch[static_cast<std::size_t>(i)];
+            Branch& one = next.branch[static_cast<std::size_t>(i)];
             ++(one.kind == RayKind::Reflection ? ray_counts().reflection : ray_counts().refraction);
-            stack.push_back(one);
+            stack.push_back(std::move(one));
         }
     }
     return sum;
