@@ -110,6 +110,11 @@ expect "a moved tree is built anew" 0 "^program: $" ""
 grep -q 'cmake -S' "$machine/asked" || fail "a moved tree is configured" "$(cat "$machine/asked")"
 [ "$(cat "$machine/tree/.course/hints.json")" = '{"99.1":3}' ] || fail "hints of an earlier version are kept"
 
+mkdir -p "$machine/it's"
+cp "$COURSE_ROOT/course" "$machine/it's"
+said=$(cd "$machine/it's" && PATH=$machine/bin ./course list 2>&1) && fail "a path that Ninja cannot follow" "$said"
+[[ $said == *"Rename the folder." ]] || fail "a path that Ninja cannot follow is named" "$said"
+
 : >"$machine/broken_build"
 expect "a broken build shows the error" 1 "y.cpp:1:2: error: no good" list
 # shellcheck disable=SC2016
