@@ -159,16 +159,14 @@ expect "the next thing to do" 0 "Next:" ./course
 
 # The right code passes, however many look at it, and whatever is being built anew meanwhile.
 start_again; set_step 99.1 'return n + 1;'; set_step 99.2 'return n + 2;'
-for round in 1 2 3; do
-    for one in 1 2 3 4; do
-        sed -i "1s|.*|// Round $round, $one.|" $exercise  # so that there is something to build
-        ./course check 99 >"$COURSE_BUILD/scratch/at_once.$one" 2>&1 &
-    done
-    wait
-    for one in 1 2 3 4; do
-        grep -q '2 of 2 steps' "$COURSE_BUILD/scratch/at_once.$one" ||
-            fail "four at once, round $round" "$(cat "$COURSE_BUILD/scratch/at_once.$one")"
-    done
+for one in 1 2 3 4; do
+    sed -i "1s|.*|// Check $one.|" $exercise  # so that there is something to build
+    ./course check 99 >"$COURSE_BUILD/scratch/at_once.$one" 2>&1 &
+done
+wait
+for one in 1 2 3 4; do
+    grep -q '2 of 2 steps' "$COURSE_BUILD/scratch/at_once.$one" ||
+        fail "four at once" "$(cat "$COURSE_BUILD/scratch/at_once.$one")"
 done
 expect_state "four at once, remembered" 99.1 passed
 [ -z "$(ls build/runs)" ] || fail "nothing is left of them" "$(ls build/runs)"
@@ -199,7 +197,6 @@ rm $exercise
 expect "a deleted file is named" 1 "$exercise is missing; ./course reset 99" ./course check 99
 expect "by who needs it" 2 "$exercise is missing; ./course reset 99" \
     ./course trace references/$name/one.scene 8 6 --against solutions
-expect "the next thing to do" 0 "Next: ./course reset 99" ./course
 expect "a deleted file comes back" 0 "$exercise was missing and is back" ./course reset 99
 cmp -s $exercise "$COURSE_BUILD/scratch/tiny.start" || fail "as it was at the start"
 expect "and can be built" 1 "0 of 2 steps" ./course check 99
