@@ -10,7 +10,7 @@
 #include "chapters/08_antialiasing/estimate.hpp"
 #include "chapters/08_antialiasing/film.hpp"
 #include "chapters/09_grids/walk.hpp"
-#include "common/scene/world.hpp"
+#include "common/world/world.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/math/ray.hpp"
-#include "common/scene/view.hpp"
+#include "common/world/view.hpp"
 
 namespace rt {
 

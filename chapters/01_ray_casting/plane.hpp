@@ -1,7 +1,7 @@
 // The plane: the simplest thing that a ray can hit.
 #pragma once
 
-#include "common/scene/hit.hpp"
+#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
 
 #include <optional>

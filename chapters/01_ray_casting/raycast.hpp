@@ -1,7 +1,7 @@
 // The loop of every ray tracer: for each pixel a ray, for each ray a colour.
 #pragma once
 
-#include "common/scene/query.hpp"
+#include "common/world/query.hpp"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/02_spheres/quadratic.hpp"
-#include "common/scene/hit.hpp"
+#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // Planar polygons: hit the plane, then look inside.
 #pragma once
 
-#include "common/scene/hit.hpp"
+#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
 
 #include <optional>

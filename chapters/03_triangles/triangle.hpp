@@ -1,9 +1,9 @@
 // Triangles: barycentric coordinates, the watertight test, smooth normals.
 #pragma once
 
-#include "common/scene/hit.hpp"
+#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
-#include "common/scene/world.hpp"
+#include "common/world/world.hpp"
 
 #include <optional>
 #include <span>

@@ -5,7 +5,7 @@
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/04_transforms/transform.hpp"
 #include "common/math/todo.hpp"
-#include "common/scene/query.hpp"
+#include "common/world/query.hpp"
 
 namespace rt {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/scene/shapes.hpp"
-#include "common/scene/world.hpp"
+#include "common/world/world.hpp"
 
 #include <optional>
 #include <span>

@@ -3,7 +3,7 @@
 
 #include "common/math/ray.hpp"
 #include "common/scene/scene.hpp"
-#include "common/scene/world.hpp"
+#include "common/world/world.hpp"
 
 #include <optional>
 #include <span>

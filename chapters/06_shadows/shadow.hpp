@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/05_lighting/lighting.hpp"
-#include "common/scene/query.hpp"
+#include "common/world/query.hpp"
 
 namespace rt {
 

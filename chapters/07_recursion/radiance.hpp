@@ -1,7 +1,7 @@
 // The tree of rays: Whitted's ray tracer (1980).
 #pragma once
 
-#include "common/scene/query.hpp"
+#include "common/world/query.hpp"
 
 #include <array>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/scene/sampling.hpp"
-#include "common/scene/view.hpp"
+#include "common/world/view.hpp"
 
 #include <span>
 #include <vector>

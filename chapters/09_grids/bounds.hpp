@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/math/ray.hpp"
-#include "common/scene/grid.hpp"
-#include "common/scene/world.hpp"
+#include "common/world/grid.hpp"
+#include "common/world/world.hpp"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/09_grids/build.hpp"
-#include "common/scene/hit.hpp"
+#include "common/world/hit.hpp"
 
 #include <optional>
 #include <span>

@@ -1,7 +1,7 @@
 // What compiling a scene kept, what it left out, and why.
 #pragma once
 
-#include "common/scene/world.hpp"
+#include "common/world/world.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // Which transparent objects the eye is inside of.
 #include "common/render/eye_inside.hpp"
 
-#include "common/scene/query.hpp"
+#include "common/world/query.hpp"
 
 #include <algorithm>
 

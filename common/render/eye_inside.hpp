@@ -1,7 +1,7 @@
 // Which transparent objects the eye is inside of.
 #pragma once
 
-#include "common/scene/world.hpp"
+#include "common/world/world.hpp"
 
 #include <vector>
 

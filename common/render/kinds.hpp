@@ -1,4 +1,4 @@
-// The questions of common/scene/query.hpp, asked of one group: its kind is known, so nothing is dispatched.
+// The questions of common/world/query.hpp, asked of one group: its kind is known, so nothing is dispatched.
 #pragma once
 
 #include "chapters/01_ray_casting/plane.hpp"
@@ -8,7 +8,7 @@
 #include "chapters/04_transforms/instance.hpp"
 #include "chapters/04_transforms/transform.hpp"
 #include "chapters/09_grids/walk.hpp"
-#include "common/scene/query.hpp"
+#include "common/world/query.hpp"
 
 #include <type_traits>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/scene/scene.hpp"
-#include "common/scene/world.hpp"
+#include "common/world/world.hpp"
 
 namespace rt {
 

@@ -1,5 +1,5 @@
-// The questions of common/scene/query.hpp, answered by dispatch over the kinds that occur.
-#include "common/scene/query.hpp"
+// The questions of common/world/query.hpp, answered by dispatch over the kinds that occur.
+#include "common/world/query.hpp"
 
 #include "common/render/kinds.hpp"
 #include "common/render/lights.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/image/image.hpp"
-#include "common/scene/query.hpp"
+#include "common/world/query.hpp"
 
 #include <functional>
 #include <optional>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/image/image.hpp"
-#include "common/scene/world.hpp"
+#include "common/world/world.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 // A picture in tiles, each worked on by one thread.
 #pragma once
 
-#include "common/scene/query.hpp"
+#include "common/world/query.hpp"
 
 #include <functional>
 #include <vector>

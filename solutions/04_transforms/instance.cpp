@@ -4,7 +4,7 @@
 #include "chapters/02_spheres/sphere.hpp"
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/04_transforms/transform.hpp"
-#include "common/scene/query.hpp"
+#include "common/world/query.hpp"
 
 namespace rt {
 namespace {

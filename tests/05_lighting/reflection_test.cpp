@@ -1,7 +1,7 @@
 // Steps 05.2 to 05.5: what a surface does with the light.
 #include "chapters/05_lighting/lighting.hpp"
 #include "common/math/error.hpp"
-#include "common/scene/query.hpp"
+#include "common/world/query.hpp"
 #include "tests/05_lighting/show.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"

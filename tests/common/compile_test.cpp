@@ -8,7 +8,7 @@
 #include "common/render/explain.hpp"
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
-#include "common/scene/query.hpp"
+#include "common/world/query.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 

@@ -1,5 +1,5 @@
 // The export for POV-Ray: statements that mean the same there, and plain words where there are none.
-#include "common/render/export_povray.hpp"
+#include "common/povray/export.hpp"
 #include "common/math/input_error.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"

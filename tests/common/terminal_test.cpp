@@ -1,6 +1,6 @@
 // Pictures in the terminal, character by character.
 
-#include "common/image/terminal.hpp"
+#include "common/image/in_terminal.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // picture, the same with one thread and with two, or an InputError of one line. README.md beside this file
 // says how to run it.
 #include "common/render/compile.hpp"
-#include "common/render/export_povray.hpp"
+#include "common/povray/export.hpp"
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/fuzz/must.hpp"

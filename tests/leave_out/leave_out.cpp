@@ -2,7 +2,7 @@
 //   leave_out [--json]                    the table; needs valgrind
 //   leave_out draw [WHICH FEATURE]        draws everything once, or one picture: what valgrind is shown;
 //                                         WHICH is general, minimal or with
-#include "common/app/process.hpp"
+#include "common/terminal/process.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/explain.hpp"
 #include "common/render/sampled.hpp"

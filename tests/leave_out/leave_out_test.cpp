@@ -1,5 +1,5 @@
 // What a scene does not need costs nothing: the table that the program `leave_out` measures, judged.
-#include "common/app/process.hpp"
+#include "common/terminal/process.hpp"
 #include "tests/catch.hpp"
 
 #include <nlohmann/json.hpp>

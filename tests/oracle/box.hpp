@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/math/ray.hpp"
-#include "common/scene/grid.hpp"
+#include "common/world/grid.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,6 +1,6 @@
 // Program `report_data`: measures what `course report` shows, and writes it as JSON.
 //   report_data [--quick] -o FILE [kernels] [pictures] [grids] [stability]
-#include "common/app/console.hpp"
+#include "common/terminal/console.hpp"
 #include "common/image/file.hpp"
 #include "tests/report/families.hpp"
 #include "tests/report/grids.hpp"

@@ -4,9 +4,9 @@
 
 #include "chapters/02_spheres/quadratic.hpp"
 #include "common/math/ray.hpp"
-#include "common/scene/hit.hpp"
+#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
-#include "common/scene/world.hpp"
+#include "common/world/world.hpp"
 
 #include <optional>
 #include <span>

@@ -9,7 +9,7 @@
 
 #include "chapters/02_spheres/quadratic.hpp"
 #include "common/math/ray.hpp"
-#include "common/scene/hit.hpp"
+#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
 #include "tests/stability/verdict.hpp"
 

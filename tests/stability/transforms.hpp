@@ -11,8 +11,8 @@
 #pragma once
 
 #include "common/math/ray.hpp"
-#include "common/scene/hit.hpp"
-#include "common/scene/world.hpp"
+#include "common/world/hit.hpp"
+#include "common/world/world.hpp"
 #include "tests/stability/verdict.hpp"
 
 #include <cstdint>

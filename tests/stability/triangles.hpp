@@ -9,7 +9,7 @@
 #pragma once
 
 #include "common/math/ray.hpp"
-#include "common/scene/hit.hpp"
+#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
 #include "tests/stability/verdict.hpp"
 

@@ -1,0 +1,177 @@
+// `course check`: verdicts a step, the first failing message, the chapter's picture, the one next action.
+#include "common/workbook/check.hpp"
+#include "common/commands/commands.hpp"
+#include "common/terminal/console.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/terminal/lock.hpp"
+#include "common/terminal/process.hpp"
+#include "common/evidence/tour.hpp"
+#include "common/workbook/verdict.hpp"
+#include "common/image/compare.hpp"
+#include "common/image/file.hpp"
+#include "common/math/input_error.hpp"
+#include "common/scene/parse.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A picture that takes longer than this is not part of a verdict.
+constexpr double picture_seconds = 3;
+
+/// The chapters to check, each once, and the steps that were named; none if all are meant.
+struct Request {
+    std::vector<const Chapter*> chapters;
+    std::set<std::string> steps;
+    std::set<std::string> whole;  ///< numbers of the chapters that were named without a step
+};
+
+const Chapter& in_progress(const Project& project, const std::vector<Chapter>& chapters) {
+    for (const Chapter& chapter : chapters) {
+        const KnownResult known = known_result(project, chapter);
+        if (!known.current || !all_passed(known.result)) return chapter;
+    }
+    return chapters.back();
+}
+
+Request requested(const Project& project, const std::vector<Chapter>& chapters, const CheckCommand& command) {
+    Request request;
+    const auto add = [&](const Chapter& chapter) {
+        if (std::find(request.chapters.begin(), request.chapters.end(), &chapter) == request.chapters.end())
+            request.chapters.push_back(&chapter);
+    };
+    for (const std::string& text : command.targets) {
+        const Target target = find_target(chapters, text);
+        add(*target.chapter);
+        if (target.step)
+            request.steps.insert(target.step->id);
+        else
+            request.whole.insert(target.chapter->number);
+    }
+    if (command.targets.empty() && command.solutions)
+        for (const Chapter& chapter : chapters) add(chapter);
+    if (command.targets.empty() && !command.solutions) add(in_progress(project, chapters));
+    return request;
+}
+
+bool wanted(const Request& request, const Chapter& chapter, const std::string& step) {
+    const bool all = request.whole.contains(chapter.number) ||
+                     std::none_of(request.steps.begin(), request.steps.end(), [&](const std::string& id) {
+                         return id.starts_with(chapter.number + ".");
+                     });
+    return all || request.steps.contains(step);
+}
+
+/// The steps of a result that were asked for.
+ChapterResult narrowed(const Request& request, const Chapter& chapter, ChapterResult result) {
+    std::erase_if(result.steps, [&](const StepResult& step) { return !wanted(request, chapter, step.id); });
+    return result;
+}
+
+void print_chapter(const Chapter& chapter, const ChapterResult& result) {
+    fmt::print("{}  {} of {}\n",
+               paint(fmt::format("Chapter {}: {}", chapter.number, chapter.title), Tone::Bold),
+               count(result, State::Passed), counted(static_cast<long long>(result.steps.size()), "step"));
+    if (!result.build_error.empty()) {
+        fmt::print("  {} It does not build:\n      {}\n", paint("✗", Tone::Bad), result.build_error);
+        return;
+    }
+    bool shown = false;
+    for (const StepResult& step : result.steps) {
+        fmt::print("{}\n", step_line(step_of(chapter, step.id), step));
+        if (step.state != State::Failed) continue;
+        // One message is enough to work on; the others' first lines say that there are more.
+        fmt::print("{}", shown
+                             ? details({step.id, step.state, step.message.substr(0, step.message.find('\n'))})
+                             : details(step));
+        shown = true;
+    }
+}
+
+/// Renders the chapter's picture with the student's chapters and says where it is, if that is quick.
+void show_picture(const Project& project, const std::vector<const Chapter*>& mine, const Chapter& chapter) {
+    if (chapter.scenes.empty()) return;
+    const fs::path scene = project.root / "references" / chapter.name / chapter.scenes.front();
+    const fs::path directory = project.build / "pictures" / chapter.name;
+    const fs::path raw = own_directory(project) / scene.stem().replace_extension(".pfm");
+    const fs::path picture = directory / scene.stem().replace_extension(".png");
+    fs::create_directories(directory);
+    if (!build_mine(project, mine).ok) return;
+
+    ProcessOptions options;
+    options.time_limit = picture_seconds;
+    options.environment = {{mine_variable, numbers_of(mine)}};
+    const ProcessResult rendered = run_process(
+        {program(project, "course_mine").string(), "render", scene.string(), "-o", raw.string(), "--quiet"},
+        options);
+    if (!succeeded(rendered)) return;
+    const Image image = read_image(raw);
+    write_image(picture, image, parse_scene(scene).encoding);
+    fs::remove(raw);
+    fmt::print("\nYour picture: {}\n", relative(project, picture));
+
+    const fs::path reference = fs::path(scene).replace_extension(".png");
+    if (!fs::exists(reference)) return;
+    const Comparison comparison = compare(image, read_image(reference));
+    fmt::print("{:.2f} % of its pixels equal POV-Ray's ({})\n",
+               100 * comparison.within16[static_cast<std::size_t>(gate_steps)], relative(project, reference));
+}
+
+/// First what was asked for; if that has all passed, whatever comes next in the course.
+std::string next_after(const Project& project, const std::vector<Chapter>& chapters, const Request& request,
+                       const std::vector<ChapterResult>& results) {
+    for (std::size_t i = 0; i < results.size(); ++i)
+        if (!all_passed(results[i])) return next_action(*request.chapters[i], results[i]);
+    std::vector<KnownResult> known;
+    for (const Chapter& chapter : chapters) known.push_back(known_result(project, chapter));
+    return next_action(project, chapters, known);
+}
+
+}  // namespace
+
+int run_check(const CheckCommand& command) {
+    const Project project = this_project();
+    const std::vector<Chapter> chapters = read_catalogue(project);
+    if (chapters.empty()) throw InputError("there are no chapters to check");
+    const Request request = requested(project, chapters, command);
+
+    std::vector<ChapterResult> results = check_chapters(project, request.chapters, command.solutions);
+    std::vector<ChapterResult> asked;
+    for (std::size_t i = 0; i < results.size(); ++i)
+        asked.push_back(narrowed(request, *request.chapters[i], results[i]));
+    const bool good = std::all_of(asked.begin(), asked.end(), all_passed);
+
+    if (command.json) {
+        fmt::print("{}\n", json_text(verdicts_json(chapters, asked)));
+        return good ? 0 : 1;
+    }
+
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        if (i > 0) fmt::print("\n");
+        print_chapter(*request.chapters[i], asked[i]);
+    }
+    std::fflush(stdout);
+    if (command.solutions) return good ? 0 : 1;
+
+    if (request.chapters.size() == 1 && all_passed(results.front())) {
+        // Chapters that passed earlier take part, without being checked again now.
+        std::vector<const Chapter*> mine;
+        for (const Chapter& chapter : chapters) {
+            const KnownResult known = known_result(project, chapter);
+            if (known.current && all_passed(known.result)) mine.push_back(&chapter);
+        }
+        show_picture(project, mine, *request.chapters.front());
+    }
+    fmt::print("\n{} {}\n", paint("Next:", Tone::Bold), next_after(project, chapters, request, results));
+    return good ? 0 : 1;
+}
+
+}  // namespace rt

@@ -1,0 +1,115 @@
+// `course compare`: how far a picture is from a reference, in numbers and as a page.
+#include "common/commands/commands.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/pictures/page.hpp"
+#include "common/image/compare.hpp"
+#include "common/image/file.hpp"
+#include "common/math/input_error.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+namespace rt {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+/// Of the pixels. At the rest, on a silhouette or a shadow's edge, two right programs may see different
+/// things.
+constexpr Real same_share = 0.999;
+
+/// JSON knows no infinity.
+ordered_json number_or_null(Real value) { return value < infinity ? ordered_json(value) : ordered_json(); }
+
+template <std::size_t N>
+ordered_json fractions(const std::array<Real, N>& within, int asked) {
+    auto object = ordered_json::object();
+    for (const int n : std::set{1, 2, 10, asked})
+        object[std::to_string(n)] = within[static_cast<std::size_t>(n)];
+    return object;
+}
+
+ordered_json to_json(const Comparison& comparison, int within, bool same) {
+    return {{"width", comparison.width},
+            {"height", comparison.height},
+            {"max", comparison.max},
+            {"mean", comparison.mean},
+            {"rmse", comparison.rmse},
+            {"psnr", number_or_null(comparison.psnr)},
+            {"within", fractions(comparison.within, within)},
+            {"within16", fractions(comparison.within16, 2)},
+            {"worst", {{"x", comparison.worst_x}, {"y", comparison.worst_y}}},
+            {"same", same}};
+}
+
+void print(const Comparison& comparison, int within, bool same, bool eight_bits) {
+    if (comparison.max == 0) {
+        fmt::print("equal: {} × {} pixels, none differs\n", comparison.width, comparison.height);
+        return;
+    }
+    // What 8 bits cannot hold says nothing of a picture that has only those.
+    const std::string finer =
+        eight_bits ? "" : fmt::format(", {:.4g} % within 2/65535", 100 * comparison.within16[2]);
+    fmt::print("{}: {:.4g} % of {} × {} pixels within {}/255{}\n", same ? "the same to the eye" : "different",
+               100 * comparison.within[static_cast<std::size_t>(within)], comparison.width, comparison.height,
+               within, finer);
+    fmt::print("greatest {:.6f} at pixel ({}, {}), mean {:.3g}, RMSE {:.3g}, PSNR {:.1f} dB\n",
+               comparison.max, comparison.worst_x, comparison.worst_y, comparison.mean, comparison.rmse,
+               comparison.psnr);
+}
+
+/// The one name of a file that need not be there yet.
+std::filesystem::path full(const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+}
+
+/// What will be written can be, and is neither what is read nor one file for two things.
+void require_places(const CompareCommand& command) {
+    const std::vector<std::filesystem::path> inputs{command.image, command.reference};
+    for (const std::filesystem::path& output : {command.diff, command.page}) {
+        if (output.empty()) continue;
+        require_no_input(output, inputs);
+        require_writable(output);
+    }
+    if (command.diff.empty()) return;
+    require_picture_ending(command.diff);
+    if (!command.page.empty() && full(command.diff) == full(command.page))
+        throw InputError(command.page.string() + ": --diff and --page cannot be one file");
+}
+
+void require_same_size(const CompareCommand& command, const Image& image, const Image& reference) {
+    if (image.width == reference.width && image.height == reference.height) return;
+    throw InputError(
+        fmt::format("{} has {} x {} pixels and {} has {} x {}; only images of one size can be compared",
+                    command.image.string(), image.width, image.height, command.reference.string(),
+                    reference.width, reference.height));
+}
+
+}  // namespace
+
+int run_compare(const CompareCommand& command) {
+    require_places(command);
+    const Encoding encoding = command.encoding == "linear" ? Encoding::Linear : Encoding::Srgb;
+    const auto [image, image_has_8_bits] = read_picture(command.image, encoding);
+    const auto [reference, reference_has_8_bits] = read_picture(command.reference, encoding);
+    require_same_size(command, image, reference);
+    const bool eight_bits = image_has_8_bits || reference_has_8_bits;
+    const Comparison comparison = compare(image, reference, eight_bits ? Display{encoding, true} : Display{});
+    const bool same = comparison.within[static_cast<std::size_t>(command.within)] >= same_share;
+
+    if (!command.diff.empty())
+        write_image(command.diff, difference(image, reference, visible_gain(comparison)));
+    if (!command.page.empty())
+        write_file(command.page, comparison_page(image, reference, comparison, command.image.string(),
+                                                 command.reference.string()));
+    if (command.json)
+        fmt::print("{}\n", json_text(to_json(comparison, command.within, same)));
+    else
+        print(comparison, command.within, same, eight_bits);
+    return same ? 0 : 1;
+}
+
+}  // namespace rt

@@ -1,0 +1,220 @@
+// `course render` and `course explain`: a scene as a picture, and what it took.
+#include "common/workbook/check.hpp"
+#include "common/commands/commands.hpp"
+#include "common/terminal/console.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/terminal/process.hpp"
+#include "common/pictures/scene_file.hpp"
+#include "common/image/file.hpp"
+#include "common/image/in_terminal.hpp"
+#include "common/math/input_error.hpp"
+#include "common/math/printable.hpp"
+#include "common/render/compile.hpp"
+#include "common/render/explain.hpp"
+#include "common/render/render.hpp"
+#include "common/scene/parse.hpp"
+#include "common/scene/suggest.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <limits>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Integrator>, 6> integrators{{
+    {"raytrace", Integrator::Raytrace},
+    {"flat", Integrator::Flat},
+    {"directions", Integrator::Directions},
+    {"normals", Integrator::Normals},
+    {"uv", Integrator::Uv},
+    {"rasterize", Integrator::Rasterize},
+}};
+
+Integrator integrator_named(const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const auto& [known, integrator] : integrators) {
+        if (known == name) return integrator;
+        names.push_back(known);
+    }
+    throw InputError(fmt::format("--integrator: there is no '{}'{}", name, did_you_mean(name, names)));
+}
+
+/// The width and height in "640x480".
+std::pair<int, int> size_from(const std::string& text) {
+    int width = 0, height = 0;
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, width);
+    const bool cross =
+        first.ec == std::errc() && first.ptr != end && (*first.ptr == 'x' || *first.ptr == 'X');
+    const auto second = cross ? std::from_chars(first.ptr + 1, end, height) : first;
+    const bool whole = cross && second.ec == std::errc() && second.ptr == end;
+    if (!whole || width < 1 || height < 1 || width > largest_side || height > largest_side)
+        throw InputError(
+            fmt::format("--size: '{}' is not a size; expected width and height from 1 to {}, such as "
+                        "640x480",
+                        text, largest_side));
+    if (const long long pixels = static_cast<long long>(width) * height; pixels > most_pixels)
+        throw InputError(
+            fmt::format("--size: '{}' is {} pixels; at most {} are possible", text, pixels, most_pixels));
+    return {width, height};
+}
+
+/// Where the picture goes; throws before any work if it is of no kind that can be written.
+fs::path output_of(const RenderCommand& command, const Scene& scene, std::vector<std::string>& warnings) {
+    if (command.output.empty()) return picture_of(scene, warnings);
+    if (!is_picture(command.output))
+        throw InputError(fmt::format("{}: pictures end in .png, .pfm or .hdr, not in '{}'",
+                                     command.output.string(), command.output.extension().string()));
+    return command.output;
+}
+
+/// Goes on as the program that is linked with the student's chapters, if there are any to use; else returns.
+void become_mine(const RenderCommand& command) {
+    const Project project = this_project();
+    const std::vector<Chapter> chapters = read_catalogue(project);
+    std::vector<const Chapter*> mine;
+    if (command.mine)
+        for (const Chapter& chapter : chapters) mine.push_back(&chapter);
+    else
+        mine = passing_chapters(project, chapters);
+    if (mine.empty()) return;
+
+    const BuildResult build = build_mine(project, mine);
+    if (!build.ok) throw std::runtime_error("your chapters do not build: " + build.message);
+    std::vector<std::string> line{program(project, "course_mine").string()};
+    line.insert(line.end(), command.arguments.begin(), command.arguments.end());
+    replace_process(line, {{mine_variable, numbers_of(mine)}});
+    throw std::runtime_error(line.front() + " cannot be started");
+}
+
+ordered_json to_json(const std::vector<Reason>& reasons) {
+    auto list = ordered_json::array();
+    for (const Reason& reason : reasons) list.push_back({{"what", reason.what}, {"why", reason.why}});
+    return list;
+}
+
+std::uint64_t all_rays(const RayCounts& rays) {
+    return rays.camera + rays.shadow + rays.reflection + rays.refraction;
+}
+
+/// How many samples, and how wrong; nothing for one sample.
+std::string sampling_of(const RenderResult& result) {
+    if (result.samples_per_pixel == 1) return "";
+    const std::string error =
+        result.rms_error ? fmt::format(", RMS error about {:.2g}", *result.rms_error) : "";
+    return fmt::format("{:.6g} samples a pixel{}, ", result.samples_per_pixel, error);
+}
+
+}  // namespace
+
+int run_render(const RenderCommand& command) {
+    std::vector<std::string> warnings;
+    Scene scene = read_scene(command.scene, command.lenient, warnings);
+    const fs::path output = output_of(command, scene, warnings);
+    require_no_input(output, files_of(command.scene, scene));
+    require_writable(output);
+    if (!command.size.empty()) std::tie(scene.width, scene.height) = size_from(command.size);
+    if (!command.integrator.empty()) scene.integrator = integrator_named(command.integrator);
+    if (command.samples) scene.sampling.count = *command.samples;
+    if (command.seed) scene.sampling.seed = *command.seed;
+    if (scene.integrator == Integrator::Rasterize && (command.seconds || command.error))
+        throw InputError("--seconds and --error: scan conversion takes one sample a pixel, and is done then");
+
+    const char* linked = std::getenv(mine_variable);
+    if (!linked && !command.solutions) become_mine(command);
+    for (const std::string& warning : warnings) say(warning);  // not before: what it becomes says them, too
+
+    const World world = compile(scene);
+    Progress progress(output.filename().string(), !command.quiet);
+    RenderOptions options;
+    options.threads = command.threads;
+    options.seconds = command.seconds;
+    options.error = command.error;
+    options.progress = [&](Real fraction) { progress.update(fraction); };
+    const RenderResult result = render(world, options);
+    progress.clear();
+    write_image(output, result.image, scene.encoding);
+    // A whole pass may take longer than the time that was given, and the person should know why.
+    if (command.seconds && result.seconds > 1.1 * *command.seconds)
+        say("one sample a pixel takes longer than {}", duration(*command.seconds));
+
+    if (command.json) {
+        const RayCounts& rays = result.rays;
+        const ordered_json object = {
+            {"output", output.string()},
+            {"width", scene.width},
+            {"height", scene.height},
+            {"seconds", result.seconds},
+            {"cpu_seconds", result.cpu_seconds},
+            {"samples_per_pixel", result.samples_per_pixel},
+            {"rms_error", result.rms_error ? ordered_json(*result.rms_error) : ordered_json(nullptr)},
+            {"rays",
+             {{"camera", rays.camera},
+              {"shadow", rays.shadow},
+              {"reflection", rays.reflection},
+              {"refraction", rays.refraction}}},
+            {"random_numbers", rays.random_numbers},
+            {"left_out", to_json(explain(scene, world).left_out)}};
+        fmt::print("{}\n", json_text(object));
+        return 0;
+    }
+    if (command.preview) {
+        const TerminalSize terminal = terminal_size(stdout);
+        fmt::print("{}", preview(result.image, scene.encoding, terminal.columns, terminal.rows - 3));
+        std::fflush(stdout);
+    }
+    if (!command.quiet)
+        say("{}  {} × {}, {}{}, {}; {}", output.string(), scene.width, scene.height, sampling_of(result),
+            counted(static_cast<long long>(all_rays(result.rays)), "ray"), duration(result.seconds),
+            linked ? fmt::format("your code for {}, solutions for the rest", linked)
+                   : std::string("solutions for all chapters"));
+    return 0;
+}
+
+int run_explain(const ExplainCommand& command) {
+    std::vector<std::string> warnings;
+    const Scene scene = read_scene(command.scene, command.lenient, warnings);
+    for (const std::string& warning : warnings) say(warning);
+    const Explanation explanation = explain(scene, compile(scene));
+    if (command.json) {
+        const ordered_json object = {{"scene", command.scene.string()},
+                                     {"kept", to_json(explanation.kept)},
+                                     {"left_out", to_json(explanation.left_out)},
+                                     {"chapters", explanation.chapters},
+                                     {"bytes", explanation.bytes}};
+        fmt::print("{}\n", json_text(object));
+        return 0;
+    }
+    const auto print = [](std::string_view title, const std::vector<Reason>& reasons) {
+        if (reasons.empty()) return;
+        fmt::print("{}\n", paint(title, Tone::Bold));
+        for (const Reason& reason : reasons)
+            fmt::print("  {}: {}\n", printable(reason.what), printable(reason.why));
+        fmt::print("\n");
+    };
+    print("Kept", explanation.kept);
+    print("Left out", explanation.left_out);
+
+    fmt::print("{}", paint("Drawn by", Tone::Bold));
+    const std::vector<Chapter> chapters = read_catalogue(this_project());
+    for (const std::string& number : explanation.chapters) {
+        const auto found = std::find_if(chapters.begin(), chapters.end(),
+                                        [&](const Chapter& chapter) { return chapter.number == number; });
+        fmt::print("{} {}{}", number == explanation.chapters.front() ? "" : ",", number,
+                   found == chapters.end() ? "" : " " + found->title);
+    }
+    fmt::print("\nin {} of memory\n", counted(static_cast<long long>(explanation.bytes), "byte"));
+    return 0;
+}
+
+}  // namespace rt

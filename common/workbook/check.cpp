@@ -1,0 +1,231 @@
+// Builds and tests chapters; a compile error, a crash or a hang costs what it must and no more.
+#include "common/workbook/check.hpp"
+
+#include "common/terminal/console.hpp"
+#include "common/workbook/exercise.hpp"
+#include "common/terminal/lock.hpp"
+#include "common/terminal/process.hpp"
+#include "common/math/printable.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A chapter's quick tests take less than a second; what takes ten hangs.
+constexpr double time_limit = 10;
+constexpr double time_limit_alone = 5;
+
+/// The fraction in ninja's "[12/80] Building …", or −1.
+double ninja_fraction(std::string_view line) {
+    int done = 0, total = 0;
+    if (line.size() > 32) line = line.substr(0, 32);
+    const bool found = std::sscanf(std::string(line).c_str(), "[%d/%d]", &done, &total) == 2 && total > 0;
+    return found ? static_cast<double>(done) / total : -1;
+}
+
+std::string without_root(const Project& project, std::string line) {
+    const std::string root = project.root.string() + "/";
+    for (auto at = line.find(root); at != std::string::npos; at = line.find(root))
+        line.erase(at, root.size());
+    return line;
+}
+
+StepResult died(const std::string& step, const TestOutcome& outcome) {
+    const std::string place = outcome.report.died_in
+                                  ? fmt::format(" in the test \"{}\"", outcome.report.died_in->name)
+                                  : " outside of any test";
+    return {step, State::Failed, outcome.death + place};
+}
+
+/// Every step has failed for the same reason.
+ChapterResult not_built(const Chapter& chapter, const std::string& why) {
+    ChapterResult result = all_todo(chapter);
+    result.build_error = why;
+    for (StepResult& step : result.steps) {
+        step.state = State::Failed;
+        step.message = why;
+    }
+    return result;
+}
+
+bool concerns(const TestRun& test, const std::string& step) {
+    return std::find(test.steps.begin(), test.steps.end(), step) != test.steps.end();
+}
+
+/// CMake takes the path in PWD for its own if it leads to the same place, and would write the name of a
+/// symbolic link into the build. This names the directory itself.
+ProcessOptions for_cmake(const Project& project) {
+    ProcessOptions options;
+    options.environment = {{"PWD", project.root.string()}};
+    return options;
+}
+
+/// As build_targets, for who has the build's lock.
+BuildResult build_locked(const Project& project, const std::vector<std::string>& targets,
+                         const std::string& label, bool keep_going = false) {
+    std::vector<std::string> command{"cmake", "--build", project.build.string(), "--target"};
+    command.insert(command.end(), targets.begin(), targets.end());
+    if (keep_going) command.insert(command.end(), {"--", "-k", "0"});
+
+    Progress progress(label);
+    ProcessOptions options = for_cmake(project);
+    options.on_line = [&](std::string_view line) { progress.update(std::max(ninja_fraction(line), 0.0)); };
+    const ProcessResult result = run_process(command, options);
+    for (const std::string& target : targets) keep_program(project, target);
+    if (succeeded(result)) return {true, "", result.output};
+    return {false, printable(first_error(project, result.output)), result.output};
+}
+
+std::string target_of(const Chapter& chapter, bool solutions) {
+    return "check_" + chapter.number + (solutions ? "_solution" : "");
+}
+
+}  // namespace
+
+BuildResult build_targets(const Project& project, const std::vector<std::string>& targets,
+                          const std::string& label, bool keep_going) {
+    const Lock lock(build_lock(project), label);
+    return build_locked(project, targets, label, keep_going);
+}
+
+std::string first_error(const Project& project, const std::string& output) {
+    std::string linker, last;
+    for (const std::string& line : split_lines(output)) {
+        const bool from_driver = line.starts_with("collect2:") || line.starts_with("clang");
+        if (!from_driver && (line.find(": error: ") != std::string::npos ||
+                             line.find(": fatal error: ") != std::string::npos))
+            return without_root(project, line);
+        const bool from_linker = line.find("undefined reference to") != std::string::npos ||
+                                 line.find("multiple definition of") != std::string::npos ||
+                                 line.find("undefined symbol") != std::string::npos ||
+                                 line.find("ld: cannot find") != std::string::npos;
+        if (from_linker && linker.empty()) linker = line;
+        if (!line.empty() && !line.starts_with("ninja: build stopped")) last = line;
+    }
+    return without_root(project, linker.empty() ? last : linker);
+}
+
+TestOutcome run_tests(const Project& project, const std::string& name, const std::string& tag, bool quick,
+                      double limit) {
+    const fs::path report = own_directory(project) / (name + ".jsonl");
+    fs::remove(report);
+
+    std::vector<std::string> command{program(project, name).string(), "--order", "decl", "--report",
+                                     report.string()};
+    if (quick) command.push_back("--quick");
+    if (!tag.empty()) command.push_back("[" + tag + "]");
+    ProcessOptions options;
+    options.time_limit = limit;
+    const ProcessResult result = run_process(command, options);
+
+    TestOutcome outcome;
+    outcome.seconds = result.seconds;
+    if (fs::exists(report)) outcome.report = read_report(read_file(report));
+    if (result.timed_out)
+        outcome.death = fmt::format("did not finish in {:g} s", limit);
+    else if (result.signal != 0)
+        outcome.death = fmt::format("crashed ({})", signal_name(result.signal));
+    else if (!outcome.report.complete)
+        outcome.death = fmt::format("ended the program (status {})", result.exit_code);
+    return outcome;
+}
+
+ChapterResult judge_program(const Project& project, const Chapter& chapter, const std::string& name) {
+    const TestOutcome all = run_tests(project, name, "", true, time_limit);
+    ChapterResult result{chapter.name, "", {}};
+    // Without a test that started, it is the program itself that dies: trying again would not help.
+    const bool hopeless = !all.death.empty() && all.report.ended.empty() && !all.report.died_in;
+    for (const Step& step : chapter.steps) {
+        // What failed before the end says more than the end does: plain tests run first.
+        const StepResult ended = judge(step.id, all.report.ended);
+        const bool has_failed = std::any_of(
+            all.report.ended.begin(), all.report.ended.end(),
+            [&](const TestRun& test) { return test.state == State::Failed && concerns(test, step.id); });
+        if (all.death.empty() || has_failed) {
+            result.steps.push_back(ended);
+        } else if (hopeless || (all.report.died_in && concerns(*all.report.died_in, step.id))) {
+            result.steps.push_back(died(step.id, all));
+        } else {
+            const TestOutcome alone = run_tests(project, name, step.id, true, time_limit_alone);
+            result.steps.push_back(alone.death.empty() ? judge(step.id, alone.report.ended)
+                                                       : died(step.id, alone));
+        }
+    }
+    return result;
+}
+
+std::vector<ChapterResult> check_chapters(const Project& project, const std::vector<const Chapter*>& chapters,
+                                          bool solutions) {
+    std::vector<std::string> targets, missing, sources;
+    for (const Chapter* chapter : chapters) {
+        missing.push_back(solutions ? "" : missing_message(project, *chapter));
+        sources.push_back(sources_fingerprint(project, *chapter));
+        if (missing.back().empty()) targets.push_back(target_of(*chapter, solutions));
+    }
+    const std::string label =
+        chapters.size() == 1 ? "Building chapter " + chapters.front()->number : "Building the chapters";
+    const BuildResult together =
+        targets.empty() ? BuildResult{} : build_targets(project, targets, label, true);
+
+    std::vector<ChapterResult> results;
+    for (std::size_t i = 0; i < chapters.size(); ++i) {
+        const Chapter& chapter = *chapters[i];
+        const std::string target = target_of(chapter, solutions);
+        // What could be built is built by now, so asking for one at a time only tells whose error is whose.
+        const BuildResult build = !missing[i].empty() ? BuildResult{false, missing[i], ""}
+                                  : together.ok || targets.size() == 1
+                                      ? together
+                                      : build_targets(project, {target}, label);
+        results.push_back(build.ok ? judge_program(project, chapter, target)
+                                   : not_built(chapter, build.message));
+        if (!solutions) remember(project, chapter, results.back(), sources[i]);
+    }
+    return results;
+}
+
+std::vector<const Chapter*> passing_chapters(const Project& project, const std::vector<Chapter>& chapters) {
+    std::vector<const Chapter*> changed;
+    for (const Chapter& chapter : chapters)
+        if (!known_result(project, chapter).current) changed.push_back(&chapter);
+    if (!changed.empty()) check_chapters(project, changed, false);
+
+    std::vector<const Chapter*> passing;
+    for (const Chapter& chapter : chapters)
+        if (all_passed(known_result(project, chapter).result)) passing.push_back(&chapter);
+    return passing;
+}
+
+BuildResult build_mine(const Project& project, const std::vector<const Chapter*>& chapters) {
+    for (const Chapter* chapter : chapters)
+        if (const std::string missing = missing_message(project, *chapter); !missing.empty())
+            return {false, missing, ""};
+    const std::string label = "Building with your chapters";
+    const Lock lock(build_lock(project), label);
+    std::string wanted;
+    for (const Chapter* chapter : chapters) wanted += (wanted.empty() ? "" : ";") + chapter->number;
+    std::string linked;
+    for (const std::string& line : split_lines(read_file(project.build / "CMakeCache.txt")))
+        if (line.starts_with("COURSE_MINE:")) linked = line.substr(line.find('=') + 1);
+    if (linked != wanted) {
+        const ProcessResult result =
+            run_process({"cmake", "-DCOURSE_MINE=" + wanted, project.build.string()}, for_cmake(project));
+        if (!succeeded(result)) return {false, printable(first_error(project, result.output)), result.output};
+    }
+    return build_locked(project, {"course_mine"}, label);
+}
+
+std::string numbers_of(const std::vector<const Chapter*>& chapters) {
+    std::vector<std::string> numbers;
+    for (const Chapter* chapter : chapters) numbers.push_back(chapter->number);
+    return fmt::format("{}", fmt::join(numbers, ", "));
+}
+
+}  // namespace rt

@@ -1,0 +1,55 @@
+// Builds and tests chapters; a compile error, a crash or a hang costs what it must and no more.
+#pragma once
+
+#include "common/workbook/results.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rt {
+
+struct BuildResult {
+    bool ok = false;
+    std::string message;  ///< the compiler's first error in one line, else what the build said last
+    std::string output;
+};
+
+/// Builds targets, with progress on a terminal. Without `keep_going` it stops at the first error.
+BuildResult build_targets(const Project& project, const std::vector<std::string>& targets,
+                          const std::string& label, bool keep_going = false);
+
+/// The one line of a failed build's output that says what is wrong, paths as from the repository's root.
+std::string first_error(const Project& project, const std::string& output);
+
+/// How a test program ended.
+struct TestOutcome {
+    TestReport report;
+    std::string death;  ///< "crashed (segmentation fault)"; empty if it came to its end
+    double seconds = 0;
+};
+
+/// Runs a test program on the tests with a tag, or on all. `time_limit` in seconds, 0 for none.
+TestOutcome run_tests(const Project& project, const std::string& name, const std::string& tag, bool quick,
+                      double time_limit);
+
+/// Tests a program of a chapter that is built: all its steps, one at a time after a crash or a hang.
+ChapterResult judge_program(const Project& project, const Chapter& chapter, const std::string& name);
+
+/// Builds and tests these chapters, the student's code or the solutions, each in its turn. The student's
+/// results are remembered.
+std::vector<ChapterResult> check_chapters(const Project& project, const std::vector<const Chapter*>& chapters,
+                                          bool solutions);
+
+/// Chapters whose steps have all passed; those that changed since they were checked are checked again.
+std::vector<const Chapter*> passing_chapters(const Project& project, const std::vector<Chapter>& chapters);
+
+/// Builds the program course_mine with these exercises in place of the solutions.
+BuildResult build_mine(const Project& project, const std::vector<const Chapter*>& chapters);
+
+/// The program that builds with the given exercises tells itself so in this variable, as "02, 03".
+inline constexpr const char* mine_variable = "COURSE_MINE_LINKED";
+
+/// "02, 03".
+std::string numbers_of(const std::vector<const Chapter*>& chapters);
+
+}  // namespace rt

@@ -1,0 +1,204 @@
+// What is known about a student's steps: not started, wrong or right.
+#include "common/workbook/results.hpp"
+
+#include "common/workbook/exercise.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/terminal/lock.hpp"
+#include "common/image/file.hpp"
+#include "common/math/printable.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+State state_named(const std::string& name) {
+    return name == "passed" ? State::Passed : name == "failed" ? State::Failed : State::Todo;
+}
+
+/// Files of a directory with one of these endings, sorted; none if there is no such directory.
+std::vector<fs::path> files_in(const fs::path& directory, const std::vector<std::string>& endings) {
+    std::vector<fs::path> files;
+    if (!fs::is_directory(directory)) return files;
+    for (const auto& entry : fs::directory_iterator(directory))
+        if (std::find(endings.begin(), endings.end(), entry.path().extension()) != endings.end())
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+fs::path memory_file(const Project& project) { return memory(project, "state.json"); }
+
+json read_memory(const Project& project) {
+    if (!fs::exists(memory_file(project))) return json::object();
+    json memory = json::parse(read_file(memory_file(project)), nullptr, false);
+    return memory.is_object() ? memory : json::object();
+}
+
+std::vector<std::string> names_of(const std::vector<fs::path>& files) {
+    std::vector<std::string> names;
+    for (const fs::path& file : files) names.push_back(file.filename().string());
+    return names;
+}
+
+}  // namespace
+
+std::string sources_fingerprint(const Project& project, const Chapter& chapter) {
+    std::string all;
+    for (const char* room : {"chapters", "tests"})
+        for (const fs::path& file : files_in(project.root / room / chapter.name, {".cpp", ".hpp"}))
+            all += file.filename().string() + '\0' + read_file(file) + '\0';
+    return fingerprint(all);
+}
+
+std::string_view name_of(State state) {
+    return state == State::Passed ? "passed" : state == State::Failed ? "failed" : "todo";
+}
+
+ChapterResult all_todo(const Chapter& chapter) {
+    ChapterResult result{chapter.name, "", {}};
+    for (const Step& step : chapter.steps) result.steps.push_back({step.id, State::Todo, ""});
+    return result;
+}
+
+int count(const ChapterResult& result, State state) {
+    return static_cast<int>(std::count_if(result.steps.begin(), result.steps.end(),
+                                          [&](const StepResult& step) { return step.state == state; }));
+}
+
+bool all_passed(const ChapterResult& result) {
+    return count(result, State::Passed) == static_cast<int>(result.steps.size());
+}
+
+TestReport read_report(std::string_view text) {
+    TestReport report;
+    for (const std::string& line : split_lines(text)) {
+        const json event = json::parse(line, nullptr, false);
+        if (!event.is_object()) break;
+        if (event.contains("finished")) report.complete = true;
+        TestRun run;
+        run.steps = event.value("steps", std::vector<std::string>());
+        if (event.contains("started")) {
+            run.name = event.value("started", "");
+            report.died_in = run;
+        } else if (event.contains("ended")) {
+            run.name = event.value("ended", "");
+            run.state = state_named(event.value("state", ""));
+            run.message = printable(event.value("message", ""), Keep::Lines);
+            run.missing = event.value("missing", "");
+            report.ended.push_back(run);
+            report.died_in.reset();
+        }
+    }
+    return report;
+}
+
+bool is_family(const TestRun& test) {
+    return std::find(test.steps.begin(), test.steps.end(), family_tag) != test.steps.end();
+}
+
+StepResult judge(const std::string& step, const std::vector<TestRun>& tests) {
+    int total = 0, passed = 0;
+    const TestRun *failure = nullptr, *own_todo = nullptr, *other_todo = nullptr;
+    for (const TestRun& test : tests) {
+        if (std::find(test.steps.begin(), test.steps.end(), step) == test.steps.end()) continue;
+        ++total;
+        if (test.state == State::Passed) ++passed;
+        // Of a family's thousands of extreme cases one is hard to read: what a plain test says comes first.
+        if (test.state == State::Failed && (!failure || (is_family(*failure) && !is_family(test))))
+            failure = &test;
+        if (test.state == State::Todo) (test.missing == step ? own_todo : other_todo) = &test;
+    }
+    if (total == 0) return {step, State::Failed, fmt::format("no test has the tag [{}]", step)};
+    if (failure) return {step, State::Failed, failure->name + "\n" + failure->message};
+    if (own_todo)
+        return {step, State::Todo,
+                passed > 0 ? fmt::format("begun: {} of {} tests pass", passed, total) : ""};
+    if (other_todo) return {step, State::Todo, fmt::format("waits for step {}", other_todo->missing)};
+    return {step, State::Passed, ""};
+}
+
+KnownResult known_result(const Project& project, const Chapter& chapter) {
+    KnownResult known{all_todo(chapter), true};
+    if (is_untouched(project, chapter)) return known;
+    known.current = false;
+    try {
+        const json memory = read_memory(project);
+        if (!memory.contains(chapter.name)) return known;
+        const json& entry = memory.at(chapter.name);
+        ChapterResult result = all_todo(chapter);
+        result.build_error = entry.at("build_error").get<std::string>();
+        for (StepResult& step : result.steps) {
+            const json& stored = entry.at("steps").at(step.id);
+            step.state = state_named(stored.at("state").get<std::string>());
+            step.message = stored.at("message").get<std::string>();
+        }
+        known.result = result;
+        known.current = entry.at("sources") == sources_fingerprint(project, chapter);
+    } catch (const json::exception&) {
+        // Written by another version of the course: as good as nothing.
+        known.current = false;
+    }
+    return known;
+}
+
+void remember(const Project& project, const Chapter& chapter, const ChapterResult& result,
+              const std::string& sources) {
+    json steps = json::object();
+    for (const StepResult& step : result.steps)
+        steps[step.id] = {{"state", name_of(step.state)}, {"message", step.message}};
+    const Lock lock(memory_lock(project), "remembering results");
+    json memory = read_memory(project);
+    memory[chapter.name] = {{"sources", sources}, {"build_error", result.build_error}, {"steps", steps}};
+    write_file(memory_file(project), json_text(memory, 1) + "\n");
+}
+
+std::optional<std::string> pristine_text(const Project& project, const Chapter& chapter,
+                                         const std::string& file) {
+    const fs::path solution = project.root / "solutions" / chapter.name / file;
+    if (fs::exists(solution)) return exercise_text(read_file(solution), relative(project, solution));
+    const fs::path kept = project.root / ".course" / "pristine" / chapter.name / file;
+    if (fs::exists(kept)) return read_file(kept);
+    return std::nullopt;
+}
+
+std::vector<std::string> exercise_files(const Project& project, const Chapter& chapter) {
+    return names_of(files_in(project.root / "chapters" / chapter.name, {".cpp"}));
+}
+
+std::vector<std::string> missing_files(const Project& project, const Chapter& chapter) {
+    const fs::path solutions = project.root / "solutions" / chapter.name;
+    std::vector<std::string> names = names_of(files_in(
+        fs::is_directory(solutions) ? solutions : project.root / ".course" / "pristine" / chapter.name,
+        {".cpp"}));
+    std::erase_if(names, [&](const std::string& name) {
+        return fs::exists(project.root / "chapters" / chapter.name / name);
+    });
+    return names;
+}
+
+std::string missing_message(const Project& project, const Chapter& chapter) {
+    const std::vector<std::string> missing = missing_files(project, chapter);
+    if (missing.empty()) return "";
+    return fmt::format(
+        "chapters/{}/{} is missing; ./course reset {} puts back what was deleted, and nothing else",
+        chapter.name, missing.front(), chapter.number);
+}
+
+bool is_untouched(const Project& project, const Chapter& chapter) {
+    if (!missing_files(project, chapter).empty()) return false;
+    for (const std::string& file : exercise_files(project, chapter))
+        if (pristine_text(project, chapter, file) !=
+            read_file(project.root / "chapters" / chapter.name / file))
+            return false;
+    return true;
+}
+
+}  // namespace rt

@@ -1,0 +1,99 @@
+// How results are shown: a line a step, one next action, and the same as JSON.
+#include "common/workbook/verdict.hpp"
+
+#include "common/terminal/console.hpp"
+#include "common/workbook/exercise.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace rt {
+
+namespace {
+
+/// A test's failure may come with pages of values; the first lines are what a person reads.
+constexpr std::size_t most_detail_lines = 14;
+
+std::string file_of(const Chapter& chapter, const std::string& step) {
+    return fmt::format("chapters/{}/{}", chapter.name, step_of(chapter, step).file);
+}
+
+}  // namespace
+
+std::string step_line(const Step& step, const StepResult& result) {
+    const std::string mark = result.state == State::Passed   ? paint("✓", Tone::Good)
+                             : result.state == State::Failed ? paint("✗", Tone::Bad)
+                                                             : paint("○", Tone::Dim);
+    std::string line = fmt::format("  {} {}  {:<44} {:>3} points", mark, step.id, step.title, step.points);
+    if (result.state == State::Todo && !result.message.empty())
+        line += paint("   " + result.message, Tone::Dim);
+    return line;
+}
+
+std::string details(const StepResult& result) {
+    if (result.state != State::Failed) return "";
+    std::string text;
+    const std::vector<std::string> lines = split_lines(result.message);
+    for (std::size_t i = 0; i < std::min(lines.size(), most_detail_lines); ++i)
+        text += "      " + (i == 0 ? paint(lines[i], Tone::Bad) : "  " + lines[i]) + "\n";
+    if (lines.size() > most_detail_lines)
+        text += fmt::format("        … and {}\n",
+                            counted(static_cast<long long>(lines.size() - most_detail_lines), "more line"));
+    return text;
+}
+
+std::string next_action(const Chapter& chapter, const ChapterResult& result) {
+    const std::string check = "./course check " + chapter.number;
+    if (result.build_error.starts_with("chapters/" + chapter.name) &&
+        result.build_error.find(" is missing; ") != std::string::npos)
+        return "./course reset " + chapter.number;
+    if (!result.build_error.empty()) return "mend the compile error, then " + check;
+    for (const StepResult& step : result.steps)
+        if (step.state == State::Failed)
+            return fmt::format("mend step {} in {}, then {}   (stuck? ./course hint {})", step.id,
+                               file_of(chapter, step.id), check, step.id);
+    for (std::size_t i = 0; i < result.steps.size(); ++i) {
+        const StepResult& step = result.steps[i];
+        // What only waits for another step may be finished already.
+        if (step.state != State::Todo || step.message.starts_with("waits for")) continue;
+        const std::string lesson = i == 0 ? fmt::format("read chapters/{}/README.md and ", chapter.name) : "";
+        return fmt::format("{}write step {} in {}, then {}   (stuck? ./course hint {})", lesson, step.id,
+                           file_of(chapter, step.id), check, step.id);
+    }
+    return check;
+}
+
+std::string next_action(const Project& project, const std::vector<Chapter>& chapters,
+                        const std::vector<KnownResult>& results) {
+    for (std::size_t i = 0; i < chapters.size(); ++i) {
+        if (all_passed(results[i].result) && results[i].current) continue;
+        if (!results[i].current) return fmt::format("./course check {}", chapters[i].number);
+        return next_action(chapters[i], results[i].result);
+    }
+    const bool solutions = std::filesystem::exists(project.root / "solutions");
+    return solutions
+               ? "every step has passed. ./course solution shows how others are written, ./course tour all "
+                 "the pictures"
+               : "every step has passed: ./course tour shows all the pictures";
+}
+
+nlohmann::ordered_json verdicts_json(const std::vector<Chapter>& chapters,
+                                     const std::vector<ChapterResult>& results) {
+    auto list = nlohmann::ordered_json::array();
+    for (const ChapterResult& result : results) {
+        const Chapter& chapter = find_chapter(chapters, result.chapter);
+        auto steps = nlohmann::ordered_json::array();
+        for (const StepResult& step : result.steps) {
+            const Step& described = step_of(chapter, step.id);
+            steps.push_back({{"id", step.id},
+                             {"title", described.title},
+                             {"points", described.points},
+                             {"state", name_of(step.state)},
+                             {"message", step.message}});
+        }
+        list.push_back({{"id", chapter.name}, {"title", chapter.title}, {"steps", steps}});
+    }
+    return {{"chapters", list}};
+}
+
+}  // namespace rt

@@ -1,0 +1,63 @@
+// What a chapter may ask of a whole World. Implemented in common/render by dispatch over the kinds of
+// primitive that occur, because every chapter adds to the answers.
+#pragma once
+
+#include "common/world/world.hpp"
+
+#include <optional>
+#include <span>
+
+namespace rt {
+
+/// Nearest hit in (range.min, range.max], or nothing. Of equal distances the first in the file wins.
+std::optional<Hit> closest_hit(const World& world, const Ray& ray, Interval range);
+
+/// The hit that comes after `last`, a hit of the same ray, up to and including range.max, or nothing.
+///
+/// Hits are ordered by distance; of equal distances, as where several sheets lie in one place, each object
+/// has its turn in the order of the file. An object that is met twice at one distance, on an edge between
+/// two of its triangles, is met once.
+std::optional<Hit> next_hit(const World& world, const Ray& ray, const Hit& last, Interval range);
+
+/// Whether anything at all is hit in (range.min, range.max]; stops at the first that is.
+bool occluded(const World& world, const Ray& ray, Interval range);
+
+/// Nearest hit with the mesh's triangles in (range.min, range.max], for a ray in the mesh's own space;
+/// `Hit::primitive` is the triangle's index. Of equal distances the lowest wins.
+std::optional<Hit> closest_hit(const SharedMesh& mesh, const Ray& local, Interval range);
+
+/// Whether any triangle of the mesh is hit in the range, for a ray in the mesh's own space.
+bool occluded(const SharedMesh& mesh, const Ray& local, Interval range);
+
+/// The surface at a hit that `closest_hit` returned for the same world and ray.
+Surface surface_at(const World& world, const Ray& ray, const Hit& hit);
+
+/// The material at a hit, its pattern decided: index into world.materials.
+std::uint32_t material_index(const World& world, const Hit& hit, const Surface& surface);
+
+/// The material at a hit, its pattern decided.
+const Material& material_at(const World& world, const Hit& hit, const Surface& surface);
+
+/// The material of what is around a ray that is inside of these, outermost first: of the last that is not a
+/// sheet. Null where there is none: nothing is around it.
+const Material* material_around(const World& world, std::span<const Medium> inside);
+
+/// Radiance that the surface sends towards the viewer by itself and by reflecting the lights directly:
+/// ambient + emission + Σ visible · L/(c + l·d + q·d²) · (diffuse · max(n·l, 0) + specular · highlight).
+/// `normal` is the unit shading normal, turned to the viewer; `to_viewer` is a unit vector.
+Vec3 local_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
+                 const Vec3& to_viewer);
+
+/// How many rays of each kind were traced.
+struct RayCounts {
+    std::uint64_t camera = 0;
+    std::uint64_t shadow = 0;
+    std::uint64_t reflection = 0;
+    std::uint64_t refraction = 0;
+    std::uint64_t random_numbers = 0;  ///< that were drawn for samples
+};
+
+/// The calling thread's counts so far; whoever starts a ray adds it here.
+RayCounts& ray_counts();
+
+}  // namespace rt

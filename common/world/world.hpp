@@ -1,0 +1,156 @@
+// What the renderer reads: only what this scene needs, each kind of primitive in one array.
+#pragma once
+
+#include "common/world/grid.hpp"
+#include "common/world/hit.hpp"
+#include "common/scene/sampling.hpp"
+#include "common/world/view.hpp"
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace rt {
+
+/// A map of space and its inverse; both affine.
+struct Transform {
+    Mat4 to_world{1};
+    Mat4 to_local{1};
+};
+
+/// The unit sphere around the origin, under a transform.
+struct Ellipsoid {
+    Transform transform;
+};
+
+/// One use of a mesh that several objects share; an index into World::meshes.
+struct Instance {
+    Transform transform;
+    std::uint32_t mesh = 0;
+};
+
+/// The normals of a smooth triangle at its corners a, b, c: unit vectors in the space of the file, then
+/// mapped to the triangle's. Those of a stretched triangle are no unit vectors, so that they weigh as in the
+/// file.
+struct TriangleNormals {
+    Vec3 a{0};
+    Vec3 b{0};
+    Vec3 c{0};
+};
+
+/// The texture coordinates of a triangle at its corners.
+struct TriangleUvs {
+    Vec2 a{0};
+    Vec2 b{0};
+    Vec2 c{0};
+};
+
+/// The shapes of one kind, and for each its place in the order of the file.
+template <class Shape>
+struct Group {
+    std::vector<Shape> shapes;
+    std::vector<std::uint32_t> primitive;  ///< index into World::primitives; ascending
+};
+
+using Planes = Group<Plane>;
+using Spheres = Group<Sphere>;
+using Polygons = Group<Polygon>;
+using Ellipsoids = Group<Ellipsoid>;
+using Instances = Group<Instance>;
+
+/// Triangles; `normals` and `uvs` are empty where no triangle of the group has them, else one a triangle.
+struct Triangles : Group<Triangle> {
+    std::vector<TriangleNormals> normals;
+    std::vector<TriangleUvs> uvs;
+};
+
+/// A group with a grid over its shapes.
+template <class Kind>
+struct Gridded : Kind {
+    Grid grid;
+};
+
+template <class Group>
+inline constexpr bool has_grid = false;
+template <class Kind>
+inline constexpr bool has_grid<Gridded<Kind>> = true;
+
+// To add a kind of primitive: its struct in shapes.hpp, an alternative here, and overloads of
+// closest_hit, any_hit and surface_at in its chapter's contract. Planes have no end, so no grid holds them.
+using AnyGroup = std::variant<Planes, Spheres, Triangles, Polygons, Ellipsoids, Instances, Gridded<Spheres>,
+                              Gridded<Triangles>, Gridded<Polygons>, Gridded<Ellipsoids>, Gridded<Instances>>;
+
+/// The triangles of a mesh that instances share, in the mesh's own space, with a sphere around them.
+struct SharedMesh {
+    Triangles triangles;
+    Sphere bound;
+    Grid grid;  ///< without cells where asking all the triangles is cheaper
+};
+
+/// Where a primitive of the file went.
+struct Primitive {
+    std::uint32_t group = 0;     ///< index into World::groups
+    std::uint32_t index = 0;     ///< index into the group's shapes
+    std::uint32_t material = 0;  ///< index into World::materials
+    std::uint32_t object = 0;    ///< which object of the file; all triangles of a mesh are one object, and
+                                 ///< all faces of a transparent body are the first of them
+};
+
+/// A primitive whose own object of the file is not the one that its Primitive names.
+struct BodyFace {
+    std::uint32_t primitive = 0;  ///< index into World::primitives
+    std::uint32_t object = 0;     ///< which object of the file
+};
+
+/// A transparent object that a ray can be inside of, and what it is made of.
+struct Medium {
+    std::uint32_t object = 0;    ///< as in Primitive
+    std::uint32_t material = 0;  ///< index into World::materials
+};
+
+/// A checkerboard between two materials.
+struct Pattern {
+    Real size = 0;          ///< edge of a cube, world units; 0 where the material has no pattern
+    std::uint32_t odd = 0;  ///< index of the material in the odd cubes
+};
+
+/// What the picture depends on. A feature that is false is not stored, computed or asked for per ray.
+struct Needs {
+    bool transforms = false;       ///< some primitive keeps a matrix
+    bool normals = false;          ///< some normal is interpolated
+    bool uvs = false;              ///< texture coordinates are used
+    bool patterns = false;         ///< some material has a checker
+    bool lights = false;           ///< some light can contribute
+    bool highlights = false;       ///< some material has a specular highlight, and there are lights
+    bool shadows = false;          ///< shadow rays are cast
+    bool colored_shadows = false;  ///< some shadow may be filtered by a transparent thing
+    bool reflection = false;       ///< some material mirrors
+    bool refraction = false;       ///< some material transmits
+    bool absorption = false;       ///< some material absorbs inside
+    bool grids = false;            ///< some group or mesh has a grid
+    bool samples = false;          ///< pixels have more than one sample, or share samples by a wide filter
+};
+
+/// A compiled scene. Equal for equal scenes; the renderer never changes it.
+struct World {
+    View view;
+    Sampling sampling;
+    Vec3 background{0};
+    Integrator integrator = Integrator::Raytrace;
+    int max_depth = 5;
+    Real min_contribution = 0;
+    Needs needs;
+    std::vector<AnyGroup> groups;       ///< only kinds that occur, none empty
+    std::vector<Primitive> primitives;  ///< in the order of the file
+    std::vector<Material> materials;    ///< patterns are resolved: a checker is two materials
+    std::vector<Pattern> patterns;      ///< one a material; empty where no material has a pattern
+    std::vector<PointLight> point_lights;
+    std::vector<DirectionalLight> directional_lights;  ///< directions are unit vectors
+    std::vector<SharedMesh> meshes;
+    std::vector<Medium> eye_inside;     ///< transparent objects around the eye, outermost first
+    std::vector<BodyFace> faces;        ///< of bodies that are made of several objects, but for the first of
+                                        ///< each; ascending primitives
+    std::vector<std::uint32_t> sheets;  ///< transparent objects without an inside, ascending
+};
+
+}  // namespace rt

@@ -1,0 +1,59 @@
+// Child programs: output, ends of all kinds, limits.
+#include "common/terminal/process.hpp"
+#include "tests/catch.hpp"
+
+#include <csignal>
+
+using namespace rt;
+
+TEST_CASE("a child's output and status come back") {
+    std::vector<std::string> lines;
+    ProcessOptions options;
+    options.on_line = [&](std::string_view line) { lines.emplace_back(line); };
+    const auto result = run_process({"sh", "-c", "echo one; echo two >&2; printf three; exit 3"}, options);
+    CHECK(result.exit_code == 3);
+    CHECK(result.signal == 0);
+    CHECK_FALSE(succeeded(result));
+    CHECK(result.output == "one\ntwo\nthree");
+    CHECK(lines == std::vector<std::string>{"one", "two", "three"});
+}
+
+TEST_CASE("a program that does not exist is status 127") {
+    CHECK(run_process({"no-such-program-here"}).exit_code == 127);
+}
+
+TEST_CASE("a crash is told by its signal") {
+    const auto result = run_process({"sh", "-c", "kill -SEGV $$"});
+    CHECK(result.signal == SIGSEGV);
+    CHECK(signal_name(result.signal) == "segmentation fault");
+    CHECK_FALSE(succeeded(result));
+}
+
+TEST_CASE("a child that hangs is ended at its limit") {
+    ProcessOptions options;
+    options.time_limit = 0.2;
+    for (const char* hang : {"sleep 60", "while :; do :; done", "exec >&- 2>&-; sleep 60", "yes"}) {
+        INFO("command := " << hang);
+        const auto result = run_process({"sh", "-c", hang}, options);
+        CHECK(result.timed_out);
+        CHECK(result.seconds < 10);
+        CHECK(result.output.size() <= (1 << 20));
+    }
+}
+
+TEST_CASE("a child that leaves another behind does not hold us up") {
+    const auto result = run_process({"sh", "-c", "sleep 5 & echo done"});
+    CHECK(result.output == "done\n");
+    CHECK(result.seconds < 4);
+}
+
+TEST_CASE("variables reach the child, and only the child") {
+    ProcessOptions options;
+    options.environment = {{"COURSE_TEST_VARIABLE", "a b"}};
+    CHECK(run_process({"sh", "-c", "printf '%s' \"$COURSE_TEST_VARIABLE\""}, options).output == "a b");
+    CHECK(run_process({"sh", "-c", "printf '%s' \"$COURSE_TEST_VARIABLE\""}).output.empty());
+    // In place of one that is there, not beside it; what has a longer name is another.
+    options.environment = {{"PATH", "/bin:/usr/bin:/x"}, {"PAT", "short"}};
+    CHECK(run_process({"sh", "-c", "env | grep '^PAT' | sort"}, options).output ==
+          "PAT=short\nPATH=/bin:/usr/bin:/x\n");
+}

@@ -1,0 +1,123 @@
+// The report's tables, plots and page, from measurements that are made up here.
+#include "common/evidence/report.hpp"
+#include "common/evidence/report_parts.hpp"
+#include "common/math/input_error.hpp"
+#include "tests/catch.hpp"
+
+#include <algorithm>
+
+using namespace rt;
+
+namespace {
+
+ReportData family(int wrong) {
+    return {{"chapter", "02"},
+            {"question", "nearest hit, from \"outside\""},
+            {"family", "far & tiny"},
+            {"condition", "2"},
+            {"demand", "8κu"},
+            {"textbook", "formula"},
+            {"stable",
+             {{"cases", 10000},
+              {"undecided", 3},
+              {"wrong", wrong},
+              {"worst", 0.25},
+              {"worst_case", "Sphere{0x1p+0}"},
+              {"first_wrong", wrong > 0 ? "Sphere{0x1.8p+0}" : ""}}},
+            {"naive",
+             {{"cases", 1000},
+              {"undecided", 0},
+              {"wrong", 700},
+              {"worst", nullptr},
+              {"worst_case", ""},
+              {"first_wrong", "Sphere{0x1p-1}"}}}};
+}
+
+ReportData feature(int general, bool judged) {
+    return {
+        {"feature", "shadow rays"},
+        {"judged", judged},
+        {"instructions", {{"general", general}, {"minimal", 1000}, {"limit", 1010}, {"with_feature", 3000}}},
+        {"rays",
+         {{"general", {{"camera", 9}, {"shadow", 1}, {"reflection", 0}, {"refraction", 0}}},
+          {"minimal", {{"camera", 9}, {"shadow", 1}, {"reflection", 0}, {"refraction", 0}}}}},
+        {"bytes", {{"general", 100}, {"with_feature", 200}}}};
+}
+
+ReportData some_data(int wrong, int instructions, bool judged = true) {
+    ReportData data{
+        {"quick", true},
+        {"machine", {{"processor", "abacus"}, {"cores", 1}, {"compiler", "g++"}, {"load", nullptr}}},
+        {"stability", ReportData::array({family(wrong)})},
+        {"leave_out", ReportData::array({feature(instructions, judged)})}};
+    data["problems"] = report_problems(data);
+    return data;
+}
+
+}  // namespace
+
+TEST_CASE("numbers are written with three digits, groups, and powers of ten") {
+    CHECK(number_text(0) == "0");
+    CHECK(number_text(0.5) == "0.500");
+    CHECK(number_text(-1.234) == "−1.23");
+    CHECK(number_text(12345.6) == "12\u2009346");
+    CHECK(number_text(1234567) == "1\u2009234\u2009567");
+    CHECK(number_text(1.24e-5) == "1.2\u2009·\u200910⁻⁵");
+    CHECK(number_text(2.08e12) == "2.1\u2009·\u200910¹²");
+    CHECK(number_text(nullptr) == "–");
+}
+
+TEST_CASE("tables quote what has commas or quotes, and leave out what is no number") {
+    const std::vector<ReportFile> tables = report_tables(some_data(0, 1000));
+    REQUIRE(tables.size() == 2);
+    CHECK(tables[0].name == "stability.csv");
+    CHECK(tables[0].content.ends_with(
+        "02,\"nearest hit, from \"\"outside\"\"\",far & tiny,2,8κu,10000,3,0,0.25,"
+        "Sphere{0x1p+0},,formula,1000,700,Sphere{0x1p-1}\n"));
+    CHECK(tables[1].name == "leave_out.csv");
+    CHECK(tables[1].content.ends_with("shadow rays,1000,1000,1.0,1010,3000,9,1,0,0,100,200,true\n"));
+}
+
+TEST_CASE("a wrong case and a scene that pays too much are problems, and what is only shown is none") {
+    CHECK(report_problems(some_data(0, 1010)).empty());
+    CHECK(report_problems(some_data(0, 1011, false)).empty());
+    const std::vector<std::string> problems = report_problems(some_data(2, 1011));
+    REQUIRE(problems.size() == 2);
+    CHECK(problems[0].find("2 of 10000 cases are wrong; the first: Sphere{0x1.8p+0}") != std::string::npos);
+    CHECK(problems[1] == "a scene without shadow rays takes 1011 instructions; 1010 are allowed");
+}
+
+TEST_CASE("the page shows the parts that were measured, names its command and links its data") {
+    const ReportData data = some_data(0, 1000);
+    const std::vector<ReportPlot> plots = report_plots(data);
+    const std::string page = report_page(data, plots, "./course report stability");
+    const auto shows = [&](const char* text) { return page.find(text) != std::string::npos; };
+    CHECK(shows("<code>./course report stability</code>"));
+    CHECK(shows("<a href=\"stability.csv\">"));
+    CHECK(shows("<a href=\"leave_out.csv\">"));
+    CHECK(shows("src=\"leave_out.svg\""));
+    CHECK(shows("far &amp; tiny"));
+    CHECK(shows("every demand is met"));
+    CHECK_FALSE(shows("id=\"pictures\""));
+    CHECK_FALSE(shows("http"));
+    const std::string bad = report_page(some_data(2, 1000), plots, "./course report");
+    CHECK(bad.find("some demands are not met") != std::string::npos);
+}
+
+TEST_CASE("a plot's script reads the table beside it and writes its own picture") {
+    for (const ReportPlot& plot : report_plots(some_data(0, 1000))) {
+        CHECK(plot.script.find("set output '" + plot.name + ".svg'") != std::string::npos);
+        CHECK(plot.script.find("'" + plot.table + "'") != std::string::npos);
+        CHECK_FALSE(plot.alt.empty());
+    }
+}
+
+TEST_CASE("a plot follows the reader's preference for light or dark") {
+    const std::string svg = svg_for_light_and_dark("<svg>\n<title>Gnuplot</title>\n</svg>\n");
+    CHECK(svg.find("prefers-color-scheme: dark") < svg.find("<title>"));
+}
+
+TEST_CASE("a report that does not exist is refused, with the names of those that do") {
+    CHECK_THROWS_WITH(run_report({.what = "speed", .output = {}}),
+                      "there is no report 'speed'; there are error-time, stability and leave-out");
+}

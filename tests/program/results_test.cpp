@@ -1,0 +1,229 @@
+// From the report of a test program to the state of each step, and what is remembered of it.
+#include "common/workbook/check.hpp"
+#include "common/workbook/drift.hpp"
+#include "common/workbook/verdict.hpp"
+#include "common/math/input_error.hpp"
+#include "tests/program/sandbox.hpp"
+#include "tests/catch.hpp"
+
+#include <nlohmann/json.hpp>
+
+using namespace rt;
+
+namespace {
+
+TestRun run(State state, std::vector<std::string> steps, const std::string& missing = "") {
+    return {"a test", std::move(steps), state, state == State::Failed ? "a.cpp:1: CHECK( x )" : "", missing};
+}
+
+struct Tree {
+    Project project = test::sandbox("results");
+    std::vector<Chapter> chapters;
+    Tree() {
+        test::add_chapter(project, "02_spheres", test::good_chapter);
+        chapters = read_catalogue(project);
+    }
+    std::filesystem::path exercise() const { return project.root / "chapters/02_spheres/x.cpp"; }
+    const Chapter& chapter() const { return chapters[0]; }
+    void start_first_step() const {
+        std::string text = read_file(exercise());
+        const std::string todo = "return todo(\"02.1\");";
+        text.replace(text.find(todo), todo.size(), "return 7;");
+        test::write(exercise(), text);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a report is read as far as it was written") {
+    const std::string started = R"({"started":"first","steps":["02.1"]})";
+    const std::string ended =
+        R"({"ended":"first","steps":["02.1"],"state":"failed","message":"why","missing":""})";
+    const std::string second = R"({"started":"second","steps":["02.2"]})";
+
+    TestReport report = read_report(started + "\n" + ended + "\n" + R"({"finished":true})" + "\n");
+    CHECK(report.complete);
+    CHECK_FALSE(report.died_in);
+    REQUIRE(report.ended.size() == 1);
+    CHECK(report.ended[0].state == State::Failed);
+    CHECK(report.ended[0].message == "why");
+
+    report = read_report(started + "\n" + ended + "\n" + second + "\n");
+    CHECK_FALSE(report.complete);
+    REQUIRE(report.died_in);
+    CHECK(report.died_in->name == "second");
+    CHECK(report.died_in->steps == std::vector<std::string>{"02.2"});
+
+    report = read_report(started + "\n" + ended.substr(0, 20));
+    CHECK(report.ended.empty());
+    CHECK(report.died_in->name == "first");
+    CHECK_FALSE(read_report("").complete);
+}
+
+TEST_CASE("a step has failed if any of its tests has") {
+    const StepResult result =
+        judge("02.1", {run(State::Passed, {"02.1"}), run(State::Todo, {"02.1"}, "02.1"),
+                       run(State::Failed, {"02.1", "02.2"}), run(State::Passed, {"02.2"})});
+    CHECK(result.state == State::Failed);
+    CHECK(result.message == "a test\na.cpp:1: CHECK( x )");
+}
+
+TEST_CASE("a plain test speaks before a family of extreme cases, whichever failed first") {
+    TestRun family = run(State::Failed, {"02.1", "stability"}), plain = run(State::Failed, {"02.1"});
+    family.name = "a family";
+    CHECK(judge("02.1", {family, plain}).message == "a test\na.cpp:1: CHECK( x )");
+    CHECK(judge("02.1", {plain, family}).message == "a test\na.cpp:1: CHECK( x )");
+    CHECK(judge("02.1", {family, run(State::Passed, {"02.1"})}).message == "a family\na.cpp:1: CHECK( x )");
+}
+
+TEST_CASE("a step is todo while a function that its tests need is not started") {
+    CHECK(judge("02.1", {run(State::Todo, {"02.1"}, "02.1")}).state == State::Todo);
+    CHECK(judge("02.1", {run(State::Todo, {"02.1"}, "02.1")}).message.empty());
+    CHECK(judge("02.2", {run(State::Todo, {"02.2"}, "02.1")}).message == "waits for step 02.1");
+    CHECK(judge("02.1", {run(State::Passed, {"02.1"}), run(State::Todo, {"02.1"}, "02.1")}).message ==
+          "begun: 1 of 2 tests pass");
+}
+
+TEST_CASE("a step passes when all its tests do, and there are some") {
+    CHECK(judge("02.1", {run(State::Passed, {"02.1"}), run(State::Failed, {"02.2"})}).state == State::Passed);
+    CHECK(judge("02.3", {run(State::Passed, {"02.1"})}).state == State::Failed);
+    CHECK(judge("02.3", {}).message == "no test has the tag [02.3]");
+}
+
+TEST_CASE("an exercise that was not touched is todo without a check") {
+    const Tree tree;
+    CHECK(is_untouched(tree.project, tree.chapter()));
+    const KnownResult known = known_result(tree.project, tree.chapter());
+    CHECK(known.current);
+    CHECK(count(known.result, State::Todo) == 2);
+}
+
+TEST_CASE("a verdict is remembered until a file of the chapter changes") {
+    const Tree tree;
+    tree.start_first_step();
+    CHECK_FALSE(known_result(tree.project, tree.chapter()).current);
+
+    ChapterResult result = all_todo(tree.chapter());
+    result.steps[0] = {"02.1", State::Passed, ""};
+    result.steps[1] = {"02.2", State::Failed, "why\nwhere"};
+    remember(tree.project, tree.chapter(), result, sources_fingerprint(tree.project, tree.chapter()));
+    KnownResult known = known_result(tree.project, tree.chapter());
+    CHECK(known.current);
+    CHECK(known.result.steps[0].state == State::Passed);
+    CHECK(known.result.steps[1].message == "why\nwhere");
+
+    test::write(tree.exercise(), read_file(tree.exercise()) + "// more\n");
+    known = known_result(tree.project, tree.chapter());
+    CHECK_FALSE(known.current);
+    CHECK(known.result.steps[0].state == State::Passed);
+}
+
+TEST_CASE("a damaged memory is as good as none") {
+    const Tree tree;
+    tree.start_first_step();
+    for (const char* damage : {"", "[1]", "{\"02_spheres\":3}", "{\"02_spheres\":{\"build_error\":\"\"}}"}) {
+        INFO("memory := " << damage);
+        test::write(tree.project.root / ".course" / "state.json", damage);
+        CHECK_FALSE(known_result(tree.project, tree.chapter()).current);
+        CHECK_NOTHROW(remember(tree.project, tree.chapter(), all_todo(tree.chapter()), "1234"));
+    }
+}
+
+TEST_CASE("without solutions the original comes from the handout") {
+    const Tree tree;
+    const std::string original = read_file(tree.exercise());
+    std::filesystem::remove_all(tree.project.root / "solutions");
+    CHECK_FALSE(pristine_text(tree.project, tree.chapter(), "x.cpp"));
+    test::write(tree.project.root / ".course/pristine/02_spheres/x.cpp", original);
+    CHECK(pristine_text(tree.project, tree.chapter(), "x.cpp") == original);
+    CHECK(is_untouched(tree.project, tree.chapter()));
+}
+
+TEST_CASE("an exercise that its solution does not generate has drifted") {
+    const Tree tree;
+    CHECK(drifted_exercises(tree.project, tree.chapters).empty());
+    test::write(tree.exercise(), read_file(tree.exercise()) + "\n");
+    const auto drifted = drifted_exercises(tree.project, tree.chapters);
+    REQUIRE(drifted.size() == 1);
+    CHECK(drifted[0].exercise == tree.exercise());
+    CHECK_FALSE(is_students_tree(tree.project, tree.chapters));
+}
+
+TEST_CASE("marks must name steps of the chapter, and every step must be marked") {
+    const Tree tree;
+    const auto solution = tree.project.root / "solutions/02_spheres/x.cpp";
+    const std::string text = read_file(solution);
+    std::string wrong = text;
+    wrong.replace(wrong.find("02.2"), 4, "02.7");
+    test::write(solution, wrong);
+    CHECK_THROWS_WITH(drifted_exercises(tree.project, tree.chapters),
+                      "solutions/02_spheres/x.cpp:10: chapters/02_spheres/chapter.json has no step 02.7");
+    wrong.replace(wrong.find("02.7"), 4, "02.1");
+    test::write(solution, wrong);
+    CHECK_THROWS_WITH(drifted_exercises(tree.project, tree.chapters),
+                      "solutions/02_spheres/x.cpp marks nothing as [exercise 02.2]");
+}
+
+TEST_CASE("a tree is a student's once a step is started") {
+    const Tree tree;
+    CHECK_FALSE(is_students_tree(tree.project, tree.chapters));
+    tree.start_first_step();
+    CHECK(is_students_tree(tree.project, tree.chapters));
+}
+
+TEST_CASE("there is one next action") {
+    const Tree tree;
+    std::vector<KnownResult> known{{all_todo(tree.chapter()), true}};
+    const auto next = [&] { return next_action(tree.project, tree.chapters, known); };
+    CHECK(next().find("write step 02.1 in chapters/02_spheres/x.cpp") != std::string::npos);
+
+    known[0].result.steps[0].message = "waits for step 02.2";
+    CHECK(next().find("write step 02.2 in chapters/02_spheres/x.cpp") != std::string::npos);
+    known[0].result.steps[0] = {"02.1", State::Passed, ""};
+    known[0].result.steps[1] = {"02.2", State::Failed, "why"};
+    CHECK(next().find("mend step 02.2") == 0);
+    known[0].result.build_error = "x.cpp:1:1: error: y";
+    CHECK(next() == "mend the compile error, then ./course check 02");
+    known[0].current = false;
+    CHECK(next() == "./course check 02");
+    known[0] = {{"02_spheres", "", {{"02.1", State::Passed, ""}, {"02.2", State::Passed, ""}}}, true};
+    CHECK(next().find("every step has passed") == 0);
+}
+
+TEST_CASE("the compiler's first error is found among what a build says") {
+    const Project project{"/home/course", "/home/course/build"};
+    CHECK(first_error(project,
+                      "[1/3] Building CXX object x.o\nFAILED: x.o\nc++ -Werror -c x.cpp\n"
+                      "In file included from a.hpp:1:\n"
+                      "/home/course/chapters/02_spheres/x.cpp:5:9: error: 'y' was not declared\n"
+                      "/home/course/chapters/02_spheres/x.cpp:7:9: error: second\n"
+                      "ninja: build stopped: subcommand failed.\n") ==
+          "chapters/02_spheres/x.cpp:5:9: error: 'y' was not declared");
+    CHECK(first_error(project,
+                      "a\n/usr/bin/ld: x.o: undefined reference to `f()'\ncollect2: error: ld returned 1 "
+                      "exit status\n") == "/usr/bin/ld: x.o: undefined reference to `f()'");
+    CHECK(first_error(project, "first\nlast\n") == "last");
+}
+
+TEST_CASE("verdicts as JSON have the documented form") {
+    const Tree tree;
+    ChapterResult result = all_todo(tree.chapter());
+    result.steps[1] = {"02.2", State::Failed, "why"};
+    CHECK(verdicts_json(tree.chapters, {result}).dump() ==
+          R"({"chapters":[{"id":"02_spheres","title":"Spheres","steps":[)"
+          R"({"id":"02.1","title":"First","points":10,"state":"todo","message":""},)"
+          R"({"id":"02.2","title":"Second","points":5,"state":"failed","message":"why"}]}]})");
+}
+
+TEST_CASE("words that are not UTF-8 are remembered escaped") {
+    const Tree tree;
+    tree.start_first_step();
+    ChapterResult result = all_todo(tree.chapter());
+    result.build_error = "x.cpp:1: error: caf\xe9";
+    result.steps[0] = {"02.1", State::Failed, "\xff\x1b"};
+    remember(tree.project, tree.chapter(), result, sources_fingerprint(tree.project, tree.chapter()));
+    const KnownResult known = known_result(tree.project, tree.chapter());
+    CHECK(known.current);
+    CHECK(known.result.build_error == "x.cpp:1: error: caf\\xe9");
+    CHECK(known.result.steps[0].message == "\\xff\x1b");
+}
