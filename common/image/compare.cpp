@@ -34,8 +34,6 @@ Real encoded_difference(Real a, Real b, const Display& display) {
     return std::abs(encode(a, display.encoding) - encode(b, display.encoding));
 }
 
-Real greatest(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
-
 /// The smallest n with difference <= n/steps. Rounding (about 1e-11 steps, from decoding a file and from the
 /// subtraction) must not lift a difference of exactly n steps to n + 1, hence the millionth of a step.
 std::size_t steps_up(Real difference, Real steps) {
@@ -75,10 +73,10 @@ Comparison compare(const Image& image, const Image& reference, const Display& di
             }
             row_sum += difference.x + difference.y + difference.z;
             row_squares += glm::dot(difference, difference);
-            count(shown, steps_up(greatest(encoded), 255));
-            count(linear, steps_up(greatest(difference), 65535));
-            if (greatest(difference) > result.max) {
-                result.max = greatest(difference);
+            count(shown, steps_up(max_component(encoded), 255));
+            count(linear, steps_up(max_component(difference), 65535));
+            if (max_component(difference) > result.max) {
+                result.max = max_component(difference);
                 result.worst_x = x;
                 result.worst_y = y;
             }

@@ -9,6 +9,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -30,5 +32,23 @@ inline constexpr Real pi = std::numbers::pi_v<Real>;
 
 /// Degrees, as files write angles, to radians, as code computes with them.
 constexpr Real radians(Real degrees) { return degrees * (pi / 180); }
+
+/// The greatest of the coordinates.
+inline Real max_component(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
+
+/// The greatest of the coordinates' sizes.
+inline Real size_of(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// The vector times a power of two, so that its greatest coordinate is in [1, 2) in size; 0 stays 0. It then
+/// has the same direction to the bit, and its square neither overflows nor vanishes.
+inline Vec3 near_one(const Vec3& v) {
+    const Real size = size_of(v);
+    if (!(size > 0) || !std::isfinite(size)) return v;
+    const int exponent = -std::ilogb(size);
+    return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
+/// The vector with length 1, however short or long it is; not for 0.
+inline Vec3 unit(const Vec3& v) { return glm::normalize(v / size_of(v)); }
 
 }  // namespace rt

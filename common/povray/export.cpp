@@ -70,7 +70,7 @@ bool shows_directions_on_sphere(const Scene& scene) {
     return scene.integrator == Integrator::Directions && scene.camera.projection == Projection::Perspective;
 }
 
-Vec3 backwards(const Camera& camera) { return unit(camera.eye - camera.look_at); }
+Vec3 backwards(const Camera& camera) { return unit_along(camera.eye - camera.look_at); }
 
 /// Whether any object sends rays on.
 bool has_bounces(const Scene& scene) {
@@ -119,7 +119,7 @@ void write_header(Writer& out) {
 void write_camera(Writer& out) {
     const Camera& camera = out.scene.camera;
     const Vec3 w = backwards(camera);
-    const Vec3 u = unit(glm::cross(near_one(camera.up), w));
+    const Vec3 u = unit_along(glm::cross(near_one(camera.up), w));
     const Vec3 v = glm::cross(w, u);
     const bool flat = camera.projection == Projection::Orthographic;
     const Real height = flat ? camera.view_height : 2 * std::tan(camera.fovy / 2);
@@ -208,7 +208,7 @@ void write_lights(Writer& out) {
                 write_light(out, *point, i);
             } else {
                 const auto& light = std::get<DirectionalLight>(scene.lights[i]);
-                write_parallel_light(out, unit(light.direction), light.color);
+                write_parallel_light(out, unit_along(light.direction), light.color);
             }
         }
     }
@@ -268,7 +268,7 @@ std::string texture(const Scene& scene, const Material& m) {
     };
     if (has_diffuse) add_colored(m.diffuse, is_black(glow) && !has_bottom, "diffuse");
     if (!is_black(glow)) add_colored(glow, !has_bottom, "diffuse 0 emission");
-    const Real strongest = std::max({m.specular.x, m.specular.y, m.specular.z});
+    const Real strongest = max_component(m.specular);
     if (filtered) add(rgb(m.specular / strongest) + " filter 1", "diffuse 0");
     if (has_bottom || layers.empty()) {
         std::string pigment = "rgb 0", finish = "diffuse 0";
@@ -351,7 +351,7 @@ std::string shape_text(const Scene&, const Object&, const Sphere& sphere) {
 }
 
 std::string shape_text(const Scene&, const Object&, const Plane& plane) {
-    const Vec3 n = unit(plane.normal);
+    const Vec3 n = unit_along(plane.normal);
     return fmt::format("plane {{ {}, {}", triple(n), number(glm::dot(n, plane.point)));
 }
 

@@ -51,7 +51,7 @@ void visit_points(const Scene& scene, const Object& object, Visit visit) {
 Plane moved(const Plane& plane, const Mat4& m) {
     const Mat3 directions(m);
     return {Vec3(m * Vec4(plane.point, 1)),
-            unit(glm::transpose(glm::inverse(directions)) * unit(plane.normal))};
+            unit_along(glm::transpose(glm::inverse(directions)) * unit_along(plane.normal))};
 }
 
 /// The least and greatest of the lengths that POV-Ray must tell from nothing and from infinity.
@@ -234,8 +234,8 @@ bool is_lit(const Scene& scene) {
 void refuse_partly_inside(const Scene& scene) {
     if (scene.camera.projection != Projection::Orthographic) return;
     const Camera& camera = scene.camera;
-    const Vec3 w = unit(camera.eye - camera.look_at);
-    const Vec3 u = unit(glm::cross(near_one(camera.up), w)), v = glm::cross(w, u);
+    const Vec3 w = unit_along(camera.eye - camera.look_at);
+    const Vec3 u = unit_along(glm::cross(near_one(camera.up), w)), v = glm::cross(w, u);
     const Real high = camera.view_height / 2, wide = high * scene.width / scene.height;
     for (const Object& object : scene.objects) {
         if (!is_glass(scene, object)) continue;
@@ -312,7 +312,7 @@ void refuse(const Scene& scene, std::string_view why) {
     throw InputError(fmt::format("{}: POV-Ray cannot express this scene: {}", scene.file, why));
 }
 
-Vec3 unit(const Vec3& v) { return glm::normalize(near_one(v)); }
+Vec3 unit_along(const Vec3& v) { return glm::normalize(near_one(v)); }
 
 bool is_glass(const Scene& scene, const Object& object) {
     return scene.integrator == Integrator::Raytrace && !is_black(material_of(scene, object).transmission);
@@ -329,7 +329,7 @@ Mat4 matrix_of(const Scene& scene, int node) {
             for (int i = 0; i < 3; ++i) step[i][i] = stretch->by[i];
         } else {
             const auto& turn = std::get<Rotate>(what);
-            const Vec3 k = unit(turn.axis);
+            const Vec3 k = unit_along(turn.axis);
             for (int i = 0; i < 3; ++i) {
                 Vec3 e(0);
                 e[i] = 1;

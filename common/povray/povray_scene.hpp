@@ -11,8 +11,9 @@ namespace rt {
 [[noreturn]] void refuse(const Scene& scene, const Object& object, std::string_view why);
 [[noreturn]] void refuse(const Scene& scene, std::string_view why);
 
-/// The unit vector along v, which may have any length but 0.
-Vec3 unit(const Vec3& v);
+/// The unit vector along v, which may have any length but 0. Its digits stand in the references' files, so it
+/// is not `unit`, which rounds otherwise.
+Vec3 unit_along(const Vec3& v);
 
 /// Whether the object sends refracted rays on.
 bool is_glass(const Scene& scene, const Object& object);

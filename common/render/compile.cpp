@@ -64,12 +64,8 @@ void compile_lights(const Scene& scene, World& world) {
     for (const Light& light : scene.lights) {
         if (const auto* point = std::get_if<PointLight>(&light); point && !is_zero(point->color))
             world.point_lights.push_back(*point);
-        if (const auto* far = std::get_if<DirectionalLight>(&light); far && !is_zero(far->color)) {
-            // Scaled first, so that no length overflows.
-            const Vec3 a = glm::abs(far->direction);
-            const Vec3 d = far->direction / std::max({a.x, a.y, a.z});
-            world.directional_lights.push_back({glm::normalize(d), far->color});
-        }
+        if (const auto* far = std::get_if<DirectionalLight>(&light); far && !is_zero(far->color))
+            world.directional_lights.push_back({unit(far->direction), far->color});
     }
 }
 

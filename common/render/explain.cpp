@@ -91,14 +91,14 @@ void explain_grid(const Scene& scene, const World& world, const Grid& grid, std:
         fmt::format("grid of {} × {} × {} cells{} for them, {} bytes a shape", cells.x, cells.y, cells.z,
                     grid.grids.empty() ? "" : fmt::format(" and {} grids in it", grids_in(grid) - 1),
                     bytes_of(grid) / shapes);
-    explanation.kept.push_back({what, scene.accelerator == Accelerator::Auto
+    explanation.kept.push_back({what, scene.accelerator == AcceleratorChoice::Auto
                                           ? fmt::format("about {:.2g} rays would ask {} shapes each",
                                                         expected_rays(scene, world), shapes)
                                           : "the scene says 'accelerator'"});
 }
 
 std::string why_no_grids(const Scene& scene, const World& world) {
-    if (scene.accelerator == Accelerator::None) return "the scene says 'accelerator none'";
+    if (scene.accelerator == AcceleratorChoice::None) return "the scene says 'accelerator none'";
     if (scene.integrator == Integrator::Rasterize) return "scan conversion traces no rays";
     std::size_t most = 0;
     for (const AnyGroup& any : world.groups)
@@ -197,7 +197,7 @@ std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
     if (recursion) chapters.emplace_back("07");
     if (needs.samples) chapters.emplace_back("08");
     // A grid that the scene does not ask for is a matter of time only.
-    if (needs.grids && scene.accelerator != Accelerator::Auto) chapters.emplace_back("09");
+    if (needs.grids && scene.accelerator != AcceleratorChoice::Auto) chapters.emplace_back("09");
     std::sort(chapters.begin(), chapters.end());
     chapters.erase(std::unique(chapters.begin(), chapters.end()), chapters.end());
     return chapters;

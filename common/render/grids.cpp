@@ -105,7 +105,7 @@ std::vector<Real> reaches(const std::vector<Bounds>& bounds) {
     reach.reserve(bounds.size());
     for (const Bounds& box : bounds) {
         const Vec3 away = glm::max(glm::abs(box.low - center), glm::abs(box.high - center));
-        reach.push_back(std::max({away.x, away.y, away.z}));
+        reach.push_back(max_component(away));
     }
     return reach;
 }
@@ -484,13 +484,13 @@ Real expected_rays(const Scene& scene, const World& world) {
 }
 
 void add_grids(const Scene& scene, World& world) {
-    if (scene.accelerator == Accelerator::None || scene.integrator == Integrator::Rasterize) return;
+    if (scene.accelerator == AcceleratorChoice::None || scene.integrator == Integrator::Rasterize) return;
     const Needs& needs = world.needs;
     const Real paths = static_cast<Real>(scene.width) * scene.height * scene.sampling.count *
                        (needs.reflection || needs.refraction ? 3 : 1);
     Builder builder{world,
-                    scene.accelerator != Accelerator::Auto,
-                    scene.accelerator != Accelerator::Grid,
+                    scene.accelerator != AcceleratorChoice::Auto,
+                    scene.accelerator != AcceleratorChoice::Grid,
                     {expected_rays(scene, world), paths, needs.shadows}};
     // Meshes first: what an instance costs depends on its mesh's grid. The camera is not in a mesh's space.
     for (SharedMesh& mesh : world.meshes)

@@ -82,14 +82,8 @@ Real flattening_of(const Transform& t) {
     return std::sqrt(there) * std::sqrt(back);
 }
 
-/// The vector with length 1; it may be as short or long as numbers go.
-Vec3 unit(const Vec3& v) {
-    const Vec3 size = glm::abs(v);
-    return normalize(v / std::max({size.x, size.y, size.z}));
-}
-
 /// Unit normals at the corners, so that those of the file weigh alike when they are interpolated.
-TriangleNormals unit(const TriangleNormals& n) { return {unit(n.a), unit(n.b), unit(n.c)}; }
+TriangleNormals unit_normals(const TriangleNormals& n) { return {unit(n.a), unit(n.b), unit(n.c)}; }
 
 TriangleNormals flat_normals(const Triangle& t) {
     const Vec3 n = cross(unit(t.b - t.a), unit(t.c - t.a));
@@ -302,7 +296,7 @@ struct Builder {
         if (is_smooth) {
             // Not made unit vectors again: the map is linear, so interpolating its images is the same as
             // mapping what was interpolated, as instances do.
-            const TriangleNormals n = unit(*face.normals);
+            const TriangleNormals n = unit_normals(*face.normals);
             smooth.normals.push_back({normal(n.a), normal(n.b), normal(n.c)});
         }
         Triangles& group = is_smooth ? smooth : flat;
@@ -368,7 +362,8 @@ struct Builder {
             const Face face = face_of(mesh, corners);
             triangles.shapes.push_back(face.triangle);
             if (world.needs.normals && !mesh.normals.empty())
-                triangles.normals.push_back(face.normals ? unit(*face.normals) : flat_normals(face.triangle));
+                triangles.normals.push_back(face.normals ? unit_normals(*face.normals)
+                                                         : flat_normals(face.triangle));
             if (world.needs.uvs) triangles.uvs.push_back(face.uvs.value_or(weights));
         }
         result.bound = bound_of(mesh);

@@ -20,8 +20,6 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 constexpr std::string_view no_area = "has no area";
 constexpr std::string_view crosses = "crosses itself";
 
-Real greatest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 Vec3 scaled(const Vec3& v, int exponent) {
     return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
@@ -31,12 +29,12 @@ Vec3 scaled(const Vec3& v, int exponent) {
 std::vector<Vec3> normalised(std::span<const Vec3> corners) {
     std::vector<Vec3> result(corners.begin(), corners.end());
     Real size = 0, reach = 0;
-    for (const Vec3& corner : corners) reach = std::max(reach, greatest(corner));
+    for (const Vec3& corner : corners) reach = std::max(reach, size_of(corner));
     const int quarter = reach > 0x1p1020 ? -2 : 0;  // differences of the largest numbers overflow
     const Vec3 first = scaled(corners.front(), quarter);
     for (Vec3& corner : result) {
         corner = scaled(corner, quarter) - first;
-        size = std::max(size, greatest(corner));
+        size = std::max(size, size_of(corner));
     }
     if (size == 0) return result;
     for (Vec3& corner : result) corner = scaled(corner, -std::ilogb(size));

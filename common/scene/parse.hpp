@@ -1,4 +1,4 @@
-// Scene files to Scene: the complete language, one table of commands.
+// Scene files to Scene.
 // The language is described in README.md beside this file.
 #pragma once
 
@@ -40,14 +40,13 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, c
 
 /// One command of the language, as the reference documents it.
 struct SceneCommand {
-    std::string_view name;
-    std::string_view
-        arguments;  ///< one word an argument; `a|b` is a choice, a last `...` means any number more
-    std::string_view meaning;  ///< a sentence, in Markdown
-    std::string_view chapter;  ///< number of the chapter that brings it, such as "02"
+    std::string name;
+    std::string arguments;  ///< one word an argument; `a|b` is a choice, a last `...` means any number more
+    std::string meaning;    ///< a sentence, in Markdown
+    std::string chapter;    ///< number of the chapter that brings it, such as "02"
 };
 
-/// All commands, in the order of the reference.
+/// All commands, in the order of the reference: by chapter.
 const std::vector<SceneCommand>& scene_commands();
 
 /// The reference as a Markdown table, made from the commands.

@@ -3,7 +3,6 @@
 
 #include "common/math/vec.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rt {
@@ -26,9 +25,6 @@ inline constexpr Real smallest_size = 1e-30;
 /// moves its rim by 4·2^-53 times as much: by a twentieth of a pixel in a picture of a thousand.
 inline constexpr Real most_flattening = 1e11;
 
-/// The greatest of the coordinates' sizes.
-inline Real size_of(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 /// Whether the vector's coordinates are in range; false for NaN.
 inline bool in_range(const Vec3& v) {
     return std::abs(v.x) <= largest_number && std::abs(v.y) <= largest_number &&
@@ -38,14 +34,5 @@ inline bool in_range(const Vec3& v) {
 /// Whether a matrix's numbers are in range.
 inline bool in_range(const Mat3& m) { return in_range(m[0]) && in_range(m[1]) && in_range(m[2]); }
 inline bool in_range(const Mat4& m) { return in_range(Mat3(m)) && in_range(Vec3(m[3])); }
-
-/// The vector times a power of two, so that its greatest coordinate is in [1, 2); 0 stays 0. It then has the
-/// same direction to the bit, and its square neither overflows nor vanishes.
-inline Vec3 near_one(const Vec3& v) {
-    const Real size = size_of(v);
-    if (!(size > 0) || !std::isfinite(size)) return v;
-    const int exponent = -std::ilogb(size);
-    return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-}
 
 }  // namespace rt

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/image/image.hpp"
+#include "common/scene/accelerators.hpp"
 #include "common/scene/sampling.hpp"
 #include "common/scene/shapes.hpp"
 
@@ -33,14 +34,6 @@ struct Camera {
 
 /// How a scene's rays become colours; see common/scene/README.md.
 enum class Integrator { Raytrace, Flat, Directions, Normals, Uv, Rasterize };
-
-/// What is built so that a ray need not ask every shape.
-enum class Accelerator {
-    Auto,    ///< grids of grids, where they pay
-    None,    ///< nothing
-    Grid,    ///< one uniform grid over each group of shapes and each shared mesh
-    Nested,  ///< the same, and crowded cells have grids of their own
-};
 
 /// A solid checkerboard of cubes in world space: factor on ambient, diffuse and emission.
 struct Checker {
@@ -78,7 +71,7 @@ struct Translate {
 };
 struct Rotate {
     Vec3 axis{0, 0, 1};
-    Real angle = 0;  ///< radians, counterclockwise seen against the axis
+    Real angle = 0;  ///< radians, counterclockwise as seen from the axis's tip
 };
 struct Scale {
     Vec3 by{1};
@@ -92,26 +85,9 @@ struct TransformNode {
     SourcePlace place;
 };
 
-/// `tri` and `trinormal`: three indices into one of the scene's two vertex lists.
-struct TriangleObject {
-    std::array<std::uint32_t, 3> vertex{};
-    bool smooth = false;  ///< vertex indices are into `smooth_vertices`, normals interpolated
-};
-
-/// `polygon`: a planar polygon, its vertices in order; indices into the scene's vertex list.
-struct PolygonObject {
-    std::vector<std::uint32_t> vertex;
-};
-
-/// `mesh`: all the triangles of one file, an index into Scene::meshes. Objects that name the same
-/// file share it.
-struct MeshObject {
-    std::uint32_t mesh = 0;
-};
-
 /// One object of the file, with the material and transform in force where it stands.
 struct Object {
-    std::variant<Sphere, Plane, TriangleObject, PolygonObject, MeshObject> shape;
+    FileShape shape;
     std::uint32_t material = 0;  ///< index into Scene::materials
     int transform = -1;          ///< index into Scene::transforms; −1 is the identity
     SourcePlace place;
@@ -147,7 +123,7 @@ struct Scene {
     int max_depth = 5;          ///< greatest number of bounces
     Real min_contribution = 0;  ///< rays whose weight is not greater in any channel are not followed
     bool shadows = true;
-    Accelerator accelerator = Accelerator::Auto;
+    AcceleratorChoice accelerator = AcceleratorChoice::Auto;
     Sampling sampling;
     std::string output;  ///< `output`; empty if not said
     SourcePlace output_place;

@@ -1,4 +1,4 @@
-// The shapes of the course, as plain data.
+// The shapes of the course, as plain data; at the end, those that a scene file can have.
 #pragma once
 
 #include "common/math/vec.hpp"
@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace rt {
@@ -48,5 +49,25 @@ struct Mesh {
     std::vector<Vec2> uvs;
     std::vector<std::array<Corner, 3>> triangles;
 };
+
+/// `tri` and `trinormal`: three indices into one of the scene's two lists of vertices.
+struct TriangleObject {
+    std::array<std::uint32_t, 3> vertex{};
+    bool smooth = false;  ///< indices are into Scene::smooth_vertices; normals are interpolated
+};
+
+/// `polygon`: a planar polygon, its vertices in order; indices into Scene::vertices.
+struct PolygonObject {
+    std::vector<std::uint32_t> vertex;
+};
+
+/// `mesh`: all the triangles of one file, an index into Scene::meshes. Objects that name the same
+/// file share it.
+struct MeshObject {
+    std::uint32_t mesh = 0;
+};
+
+/// What an object of a file can be.
+using FileShape = std::variant<Sphere, Plane, TriangleObject, PolygonObject, MeshObject>;
 
 }  // namespace rt

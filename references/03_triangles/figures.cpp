@@ -266,7 +266,7 @@ World world_of(int along, int around, int width, int height) {
     scene.width = width;
     scene.height = height;
     scene.integrator = Integrator::Normals;
-    scene.accelerator = Accelerator::None;  // every ray asks every triangle: chapter 9 is not there yet
+    scene.accelerator = AcceleratorChoice::None;  // every ray asks every triangle: chapter 9 is not there yet
     scene.camera = {.eye = {1.5, -4.5, 8.5}, .look_at = {0, -0.1, 0}, .up = {0, 1, 0}, .fovy = radians(42)};
     scene.materials.push_back({});
     if (along > 0) {

@@ -445,14 +445,16 @@ void draw_stadium(const Path& directory) {
 /// Shapes and rays of the chapter's scenes, and how many rays a second there are with and without grids.
 void measure_scenes(const Path& directory) {
     std::string csv = "scene,accelerator,rays,s,rays/s\n";
-    const std::array<std::pair<Accelerator, const char*>, 3> accelerators{
-        {{Accelerator::None, "none"}, {Accelerator::Grid, "grid"}, {Accelerator::Nested, "nested"}}};
+    const std::array<std::pair<AcceleratorChoice, const char*>, 3> accelerators{
+        {{AcceleratorChoice::None, "none"},
+         {AcceleratorChoice::Grid, "grid"},
+         {AcceleratorChoice::Nested, "nested"}}};
     for (const char* name : {"stadium", "crowd", "forest", "cloud"})
         for (const auto& [accelerator, words] : accelerators) {
             // Without grids a picture would take minutes: a small one shows as much.
-            const int width = accelerator == Accelerator::None   ? 24
-                              : accelerator == Accelerator::Grid ? 160
-                                                                 : 320;
+            const int width = accelerator == AcceleratorChoice::None   ? 24
+                              : accelerator == AcceleratorChoice::Grid ? 160
+                                                                       : 320;
             Scene scene = scene_beside(__FILE__, name, width, width * 3 / 4);
             scene.accelerator = accelerator;
             RenderOptions one_thread;

@@ -199,7 +199,7 @@ TEST_CASE("seen along the ray, its own points have x = y = 0", "[03.4]") {
         CHECK(p.y == 0);
         // Its depth is that along the direction's greatest coordinate.
         const Vec3 size = glm::abs(direction);
-        CHECK(std::abs(p.z) == 4 * std::max({size.x, size.y, size.z}));
+        CHECK(std::abs(p.z) == 4 * max_component(size));
     }
 }
 

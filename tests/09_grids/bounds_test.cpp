@@ -23,7 +23,7 @@ bool contains_point(const Bounds& box, const Vec3& p) {
 /// The box moved out by a few roundings of numbers as large as those in it.
 Bounds grown_by_rounding(const Bounds& box) {
     const Vec3 size = glm::max(glm::abs(box.low), glm::abs(box.high));
-    return grown(box, gamma(8) * std::max({size.x, size.y, size.z}));
+    return grown(box, gamma(8) * max_component(size));
 }
 
 Ellipsoid ellipsoid_under(const Mat4& m) {

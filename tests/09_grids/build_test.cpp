@@ -29,7 +29,7 @@ Bounds box_of(const Vec3& edges) { return {Vec3(0), edges}; }
 Real margin_for(const Bounds& around) {
     const Vec3 edges = around.high - around.low;
     const Vec3 size = glm::max(glm::abs(around.low), glm::abs(around.high));
-    return 0x1p-30 * std::max({edges.x, edges.y, edges.z}) + 0x1p-44 * std::max({size.x, size.y, size.z});
+    return 0x1p-30 * max_component(edges) + 0x1p-44 * max_component(size);
 }
 
 /// What is left of a polygon on one side of a plane of the box.

@@ -53,7 +53,7 @@ inline std::string fault_of(const GridShape& shape, const Ray& ray, const std::v
         return "more visits than nx + ny + nz + 1";
     const Vec3 size =
         glm::max(glm::max(glm::abs(shape.box.low), glm::abs(shape.box.high)), glm::abs(ray.origin));
-    const Real unit = unit_roundoff * std::max({size.x, size.y, size.z});
+    const Real unit = unit_roundoff * max_component(size);
     for (std::size_t i = 0; i < visits.size(); ++i) {
         const auto& [cell, t] = visits[i];
         const std::string which = "visit " + std::to_string(i) + " of cell " + show(cell);

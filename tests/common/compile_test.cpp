@@ -206,7 +206,7 @@ TEST_CASE("the sphere around a shared mesh holds all its corners", "[compile]") 
 
 TEST_CASE("a forest of 1024 trees needs the memory of one tree and of the matrices", "[compile]") {
     Scene scene = parse_scene(fs::path(test::repository()) / "references/04_transforms/forest.scene");
-    scene.accelerator = Accelerator::None;
+    scene.accelerator = AcceleratorChoice::None;
     const World world = compile(scene);
     const std::size_t triangles = 10'000, trees = 1024;
     REQUIRE(world.meshes.size() == 1);

@@ -74,7 +74,7 @@ int differing(const Image& a, const Image& b, Real bound) {
     int count = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         const Vec3 d = glm::abs(a.pixels[i] - b.pixels[i]);
-        count += !(std::max({d.x, d.y, d.z}) <= bound);
+        count += !(max_component(d) <= bound);
     }
     return count;
 }

@@ -754,7 +754,7 @@ TEST_CASE("the commands of chapters 8 and 9", "[parse]") {
     CHECK(plain.sampling.count == 1);
     CHECK(plain.sampling.filter.kind == FilterKind::Box);
     CHECK(plain.sampling.filter.radius == 0.5);
-    CHECK(plain.accelerator == Accelerator::Auto);
+    CHECK(plain.accelerator == AcceleratorChoice::Auto);
 
     const Scene scene =
         parse("spp 16\nsampler random\nadaptive on\nfilter mitchell\nseed 12\naccelerator nested");
@@ -764,11 +764,11 @@ TEST_CASE("the commands of chapters 8 and 9", "[parse]") {
     CHECK(scene.sampling.filter.kind == FilterKind::Mitchell);
     CHECK(scene.sampling.filter.radius == 2);
     CHECK(scene.sampling.seed == 12);
-    CHECK(scene.accelerator == Accelerator::Nested);
+    CHECK(scene.accelerator == AcceleratorChoice::Nested);
     CHECK(parse("sampler trapezoid").sampling.sampler == Sampler::Trapezoid);
     CHECK(parse("sampler centered").sampling.sampler == Sampler::Centered);
     CHECK(parse("filter gaussian").sampling.filter.radius == 1.5);
-    CHECK(parse("accelerator grid").accelerator == Accelerator::Grid);
+    CHECK(parse("accelerator grid").accelerator == AcceleratorChoice::Grid);
 
     CHECK(error_of("spp 0") == "s:1:5: the number of samples must be from 1 to 65536, not 0");
     CHECK(error_of("spp 2.5").starts_with("s:1:5: '2.5' is not a whole number"));

@@ -98,7 +98,7 @@ TEST_CASE("regular samples are the pixels of a larger picture, averaged", "[samp
                 for (int i = 0; i < 3; ++i)
                     sum += fine.pixels[static_cast<std::size_t>((3 * y + j) * 144 + 3 * x + i)];
             const Vec3 difference = abs(sum / Real(9) - image.pixels[static_cast<std::size_t>(y * 48 + x)]);
-            greatest = std::max({greatest, difference.x, difference.y, difference.z});
+            greatest = std::max(greatest, max_component(difference));
         }
     CHECK(greatest < 1e-15);  // nine additions of numbers below 1
 }

@@ -371,7 +371,7 @@ Real some_sign(Random& random) { return random.index(2) == 0 ? 1 : -1; }
 GridQuestion some_question(const GridScene& scene, Random& random) {
     const Bounds& box = scene.grid.shape.box;
     const Vec3 edges = box.high - box.low;
-    const Real edge = std::max({edges.x, edges.y, edges.z});
+    const Real edge = max_component(edges);
     const Vec3 target = somewhere(scene, random);
     Vec3 d(0);
     switch (random.index(5)) {

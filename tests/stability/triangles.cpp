@@ -322,7 +322,7 @@ Verdict judge(std::span<const WeightCase> cases, std::span<const std::optional<V
             const Vec3 off = glm::abs(*answers[i] - item.weights);
             // Adding keeps a NaN, which the maximum would lose.
             error = (off.x + off.y + off.z) / (3 * allowed);
-            if (error <= 1) error = std::max({off.x, off.y, off.z}) / allowed;
+            if (error <= 1) error = max_component(off) / allowed;
         }
         const auto write = [&] { return literal(item.triangle) + ", point " + literal(item.point); };
         if (!(error <= 1))

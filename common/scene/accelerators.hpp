@@ -1,0 +1,27 @@
+// The words of `accelerator`: what may be built so that a ray need not ask every shape.
+#pragma once
+
+#include <string_view>
+
+namespace rt {
+
+/// What a scene asks for.
+enum class AcceleratorChoice { Auto, None, Grid, Nested };
+
+/// A word of the language, what it asks for, and how the reference describes that.
+struct AcceleratorWord {
+    std::string_view name;
+    AcceleratorChoice value;
+    std::string_view meaning;
+};
+
+inline constexpr AcceleratorWord accelerator_words[] = {
+    {"auto", AcceleratorChoice::Auto,
+     "(default) whichever of the others is found cheapest by samples and counts, around all shapes of a kind "
+     "but at most 64 that are far out or huge"},
+    {"none", AcceleratorChoice::None, "nothing"},
+    {"grid", AcceleratorChoice::Grid, "one uniform grid over each kind of shape and each shared mesh"},
+    {"nested", AcceleratorChoice::Nested, "the same, and crowded cells have grids of their own"},
+};
+
+}  // namespace rt

@@ -1,0 +1,61 @@
+// The parser in the middle of a scene file: what has been read, what is in force, and where it is.
+// Handlers of commands (commands.hpp) change it; arguments.hpp reads the words of the line.
+#pragma once
+
+#include "common/math/input_error.hpp"
+#include "common/scene/parse.hpp"
+#include "common/scene/scene.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt::language {
+
+/// What the commands so far have made, and the line that is being read.
+struct Parser {
+    const ParseOptions& options;
+    const std::filesystem::path& directory;  ///< where meshes are looked for
+    Scene scene{};
+
+    // What the objects and lights that follow take.
+    Material material{};
+    Vec3 attenuation{1, 0, 0};
+    int transform = -1;  ///< index into Scene::transforms; −1 is the identity
+    std::vector<int> transform_stack{};
+
+    bool has_camera = false;
+    bool has_command = false;
+    std::string adaptive_place{};  ///< of `adaptive on`, for a message
+    std::map<std::string, std::uint32_t> mesh_of_file{};
+
+    const SceneCommand* command = nullptr;  ///< of the line
+    int line_number = 0;
+    std::string_view line{};
+    std::vector<std::string_view> words{};  ///< of the line: the command and its arguments
+};
+
+/// `file:line:column: what`; `where` points into the parser's line.
+std::string message_at(const Parser& parser, const char* where, const std::string& what);
+
+/// Appends that message to the warnings, if anybody wants them.
+void warn(const Parser& parser, const char* where, const std::string& what);
+
+/// Throws that message as an InputError, with the place where `word` begins.
+[[noreturn]] void fail(const Parser& parser, std::string_view word, const std::string& what);
+
+/// A value that later versions may know, such as a new integrator: lenient reading goes on without the line.
+struct UnknownValue : InputError {
+    using InputError::InputError;
+};
+
+/// The line as it should be, for the end of a message: `; expected: sphere x y z r`.
+std::string expected(const Parser& parser);
+
+/// Where a word of the line is.
+SourcePlace place_of(const Parser& parser, std::string_view word);
+
+}  // namespace rt::language
