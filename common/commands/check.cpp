@@ -1,16 +1,16 @@
 // `course check`: verdicts a step, the first failing message, the chapter's picture, the one next action.
 #include "common/workbook/check.hpp"
 #include "common/commands/commands.hpp"
-#include "common/terminal/console.hpp"
-#include "common/terminal/json_text.hpp"
-#include "common/terminal/lock.hpp"
-#include "common/terminal/process.hpp"
-#include "common/evidence/tour.hpp"
-#include "common/workbook/verdict.hpp"
+#include "common/evidence/agreement.hpp"
 #include "common/image/compare.hpp"
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/scene/parse.hpp"
+#include "common/terminal/console.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/terminal/lock.hpp"
+#include "common/terminal/process.hpp"
+#include "common/workbook/verdict.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,18 +1,15 @@
 // The command line: what can be asked for, help with examples, and one line for what is wrong.
 #include "common/commands/commands.hpp"
 
-#include "common/workbook/catalogue.hpp"
-#include "common/terminal/console.hpp"
-#include "common/terminal/json_text.hpp"
-#include "common/terminal/lock.hpp"
-#include "common/evidence/references.hpp"
-#include "common/evidence/report.hpp"
-#include "common/evidence/tour.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/todo.hpp"
 #include "common/scene/parse.hpp"
 #include "common/scene/suggest.hpp"
 #include "common/scene/text.hpp"
+#include "common/terminal/console.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/terminal/lock.hpp"
+#include "common/workbook/catalogue.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -74,18 +71,18 @@ struct Line {
                  "./course"};
     Action action = [this] { return run_status(json); };
 
-    bool json = false, all = false, spoil = false, quick = false, make = false, lenient = false;
+    bool json = false, all = false, spoil = false, quick = false, make = false;
     std::string step, chapter;
-    std::filesystem::path scene, output;
     CheckCommand check;
     RenderCommand render;
     ReportCommand report;
     CompareCommand compare;
     ExplainCommand explain;
     TraceCommand trace;
-    TourOptions tour;
-    ReferencesOptions references;
-    RandomReferencesOptions random;
+    TourCommand tour;
+    ReferencesCommand references;
+    RandomReferencesCommand random;
+    ExportCommand export_scene;
 
     CLI::App* command(const std::string& name, const std::string& what, const std::string& example,
                       const Action& run) {
@@ -194,17 +191,12 @@ void add_pictures(Line& line) {
     sub->add_option("--against", line.trace.against,
                     "solutions: your tree beside theirs, to the first difference");
 
-    sub =
-        line.command("export", "a scene for POV-Ray",
-                     "export references/02_spheres/normals.scene -o normals.pov", [&line] {
-                         const int status = run_export(line.scene, line.output, line.lenient);
-                         if (line.json)
-                             fmt::print("{}\n", json_text(nlohmann::json{{"output", line.output.string()}}));
-                         return status;
-                     });
-    sub->add_option("scene", line.scene, "the scene's file")->required();
-    sub->add_option("-o,--output", line.output, "the file for POV-Ray")->required();
-    sub->add_flag("--lenient", line.lenient, lenient_help);
+    sub = line.command("export", "a scene for POV-Ray",
+                       "export references/02_spheres/normals.scene -o normals.pov",
+                       [&line] { return run_export(line.export_scene); });
+    sub->add_option("scene", line.export_scene.scene, "the scene's file")->required();
+    sub->add_option("-o,--output", line.export_scene.output, "the file for POV-Ray")->required();
+    sub->add_flag("--lenient", line.export_scene.lenient, lenient_help);
 }
 
 void add_project(Line& line) {
@@ -341,7 +333,8 @@ int run_line(int argc, char** argv, int& write_error) {
             return usage_error(line.app, error);
         }
         line.check.json = line.render.json = line.compare.json = line.explain.json = line.trace.json =
-            line.tour.json = line.references.json = line.random.json = line.report.json = line.json;
+            line.export_scene.json = line.tour.json = line.references.json = line.random.json =
+                line.report.json = line.json;
         return line.action();
     } catch (const NotImplemented& error) {
         say(not_started(error));

@@ -1,7 +1,8 @@
-// The commands of the program, one function each; every function returns the exit status.
-// All throw InputError for what the person has to put right: status 2. tour, references and export have
-// headers of their own.
+// The commands of the program, one function and one file each; every function returns the exit status.
+// All throw InputError for what the person has to put right: status 2.
 #pragma once
+
+#include "common/terminal/project.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -11,7 +12,7 @@
 
 namespace rt {
 
-// ---------------------------------------------------------------- where am I (status.cpp)
+// ---------------------------------------------------------------- where am I
 
 /// `course`: the chapters, and the one next action.
 int run_status(bool json);
@@ -19,7 +20,7 @@ int run_status(bool json);
 /// `course list`: chapters and steps with titles, points and state.
 int run_list(bool json);
 
-// ---------------------------------------------------------------- learning (check_command.cpp, learn.cpp)
+// ---------------------------------------------------------------- learning
 
 struct CheckCommand {
     std::vector<std::string> targets;  ///< "02", "02.1"; empty: the chapter in progress
@@ -39,8 +40,7 @@ int run_reset(const std::string& target, bool json);
 /// `course solution NN.S`: yours and the solution's; 1 before the step has passed, unless `spoil`.
 int run_solution(const std::string& step, bool spoil, bool json);
 
-// ---------------------------------------------------------------- pictures (render_command.cpp,
-// compare_command.cpp)
+// ---------------------------------------------------------------- pictures
 
 struct RenderCommand {
     std::filesystem::path scene;
@@ -95,11 +95,68 @@ struct TraceCommand {
     bool json = false;
 };
 
-/// `course trace SCENE X Y` (trace_command.cpp): the ray tree of one pixel; 1 if the compared trees differ.
+/// `course trace SCENE X Y`: the ray tree of one pixel; 1 if the compared trees differ.
 int run_trace(const TraceCommand& command);
 
-// ---------------------------------------------------------------- the project (test_command.cpp,
-// maintain.cpp)
+struct ExportCommand {
+    std::filesystem::path scene;
+    std::filesystem::path output;
+    bool lenient = false;
+    bool json = false;
+};
+
+/// `course export SCENE -o FILE`: the scene for POV-Ray. Throws InputError also for what POV-Ray cannot
+/// express.
+int run_export(const ExportCommand& command);
+
+// ---------------------------------------------------------------- the project
+
+struct TourCommand {
+    std::filesystem::path output;  ///< directory of the page; empty: `tour` in the build directory
+    bool json = false;             ///< one JSON object on standard output instead of the table
+    bool quiet = false;            ///< nothing on standard output, no progress
+};
+
+/// `course tour`: renders the scenes of all chapters with the implementation that is linked in, compares each
+/// with its reference, writes the page and prints a table; 1 if a comparison fails.
+int run_tour(const TourCommand& command, const Project& project = this_project());
+
+struct ReportCommand {
+    std::string what;              ///< "error-time", "stability" or "leave-out"; empty: all three
+    std::filesystem::path output;  ///< directory of the page; empty: `report` in the build directory
+    bool quick = false;            ///< fewer cases and samples: half a minute instead of five
+    bool json = false;
+};
+
+/// `course report`: builds and runs the measuring programs, writes their data as CSV, has gnuplot draw them,
+/// and writes the page; 1 if what was measured breaks a demand: a family with a wrong answer, a grid that
+/// differs from brute force, a scene that pays for what it does not need. Throws InputError where gnuplot,
+/// valgrind or the packages of the tests are missing.
+int run_report(const ReportCommand& command);
+
+struct ReferencesCommand {
+    bool make = false;    ///< write what changed
+    std::string chapter;  ///< number; empty: all
+    bool json = false;    ///< one JSON object on standard output instead of the table
+    bool quiet = false;   ///< nothing on standard output, no progress
+};
+
+/// `course references`: exports the scenes, renders them with POV-Ray and compares text and pixels with the
+/// files of the repository; also the thumbnails that the README shows; 1 if any differ and were not written.
+/// Throws InputError if POV-Ray is not installed.
+int run_references(const ReferencesCommand& command, const Project& project = this_project());
+
+struct RandomReferencesCommand {
+    std::uint64_t count = 0;  ///< scenes
+    std::uint64_t first = 0;  ///< number of the first
+    bool json = false;        ///< one JSON object on standard output instead of the table
+};
+
+/// `course references --random N`: makes up scenes, exports them and compares POV-Ray's pictures with ours by
+/// the gate of the tour: each is equal, or the export refuses it. Those that differ are left in
+/// build/references/random; 1 if any differs, or if more are refused than equal. Throws InputError if POV-Ray
+/// is not installed.
+int run_random_references(const RandomReferencesCommand& command, const Project& project = this_project());
 
 /// `course test`: every test of the project; 1 if any fails.
 int run_test(bool quick, bool json);

@@ -1,10 +1,10 @@
 // `course compare`: how far a picture is from a reference, in numbers and as a page.
-#include "common/commands/commands.hpp"
-#include "common/terminal/json_text.hpp"
-#include "common/pictures/page.hpp"
 #include "common/image/compare.hpp"
+#include "common/commands/commands.hpp"
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/pictures/comparison_page.hpp"
+#include "common/terminal/json_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,10 +16,6 @@ namespace rt {
 using nlohmann::ordered_json;
 
 namespace {
-
-/// Of the pixels. At the rest, on a silhouette or a shadow's edge, two right programs may see different
-/// things.
-constexpr Real same_share = 0.999;
 
 /// JSON knows no infinity.
 ordered_json number_or_null(Real value) { return value < infinity ? ordered_json(value) : ordered_json(); }

@@ -1,13 +1,13 @@
 // What helps a student on: hints, a fresh start, and the solution.
 #include "common/commands/commands.hpp"
-#include "common/terminal/console.hpp"
-#include "common/workbook/exercise.hpp"
-#include "common/workbook/functions.hpp"
-#include "common/terminal/json_text.hpp"
-#include "common/terminal/lock.hpp"
-#include "common/workbook/results.hpp"
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/terminal/console.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/terminal/lock.hpp"
+#include "common/workbook/exercise.hpp"
+#include "common/workbook/functions.hpp"
+#include "common/workbook/results.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,12 +1,12 @@
 // What keeps generated files true to their sources: exercises and figures.
-#include "common/workbook/check.hpp"
 #include "common/commands/commands.hpp"
-#include "common/terminal/console.hpp"
-#include "common/workbook/drift.hpp"
-#include "common/terminal/json_text.hpp"
-#include "common/terminal/process.hpp"
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/terminal/console.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/terminal/process.hpp"
+#include "common/workbook/check.hpp"
+#include "common/workbook/drift.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

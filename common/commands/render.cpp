@@ -1,19 +1,19 @@
 // `course render` and `course explain`: a scene as a picture, and what it took.
-#include "common/workbook/check.hpp"
+#include "common/render/render.hpp"
 #include "common/commands/commands.hpp"
-#include "common/terminal/console.hpp"
-#include "common/terminal/json_text.hpp"
-#include "common/terminal/process.hpp"
-#include "common/pictures/scene_file.hpp"
 #include "common/image/file.hpp"
 #include "common/image/in_terminal.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
+#include "common/pictures/scene_file.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/explain.hpp"
-#include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
 #include "common/scene/suggest.hpp"
+#include "common/terminal/console.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/terminal/process.hpp"
+#include "common/workbook/check.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

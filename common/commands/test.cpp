@@ -1,14 +1,15 @@
 // `course test`: every test of the project, part by part, with times and one closing line.
-#include "common/workbook/check.hpp"
 #include "common/commands/commands.hpp"
-#include "common/terminal/console.hpp"
-#include "common/workbook/drift.hpp"
-#include "common/workbook/exercise.hpp"
-#include "common/terminal/json_text.hpp"
-#include "common/workbook/mistake.hpp"
-#include "common/terminal/process.hpp"
+#include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
+#include "common/terminal/console.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/terminal/process.hpp"
+#include "common/workbook/check.hpp"
+#include "common/workbook/drift.hpp"
+#include "common/workbook/exercise.hpp"
+#include "common/workbook/mistake.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -240,7 +241,7 @@ void test_exercises(const Project& project, const std::vector<Chapter>& chapters
 /// Shell scripts: tests of the whole program from outside. Each is one test.
 void test_scripts(const Project& project, Part& part) {
     std::vector<fs::path> scripts;
-    for (const auto& entry : fs::directory_iterator(project.root / "tests" / "app"))
+    for (const auto& entry : fs::directory_iterator(project.root / "tests" / "program"))
         if (entry.path().extension() == ".sh") scripts.push_back(entry.path());
     std::sort(scripts.begin(), scripts.end());
     for (const fs::path& script : scripts) {

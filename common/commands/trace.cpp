@@ -1,18 +1,18 @@
 // `course trace`: the ray tree of one pixel, and where a student's tree first differs from the solution's.
+#include "common/render/trace.hpp"
 #include "chapters/01_ray_casting/camera.hpp"
-#include "common/workbook/catalogue.hpp"
-#include "common/workbook/check.hpp"
 #include "common/commands/commands.hpp"
+#include "common/math/input_error.hpp"
+#include "common/pictures/scene_file.hpp"
+#include "common/pictures/tree_difference.hpp"
+#include "common/render/compile.hpp"
+#include "common/render/shade.hpp"
+#include "common/scene/parse.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/json_text.hpp"
 #include "common/terminal/process.hpp"
-#include "common/pictures/scene_file.hpp"
-#include "common/pictures/tree_difference.hpp"
-#include "common/math/input_error.hpp"
-#include "common/render/compile.hpp"
-#include "common/render/shade.hpp"
-#include "common/render/trace.hpp"
-#include "common/scene/parse.hpp"
+#include "common/workbook/catalogue.hpp"
+#include "common/workbook/check.hpp"
 
 #include <fmt/format.h>
 

@@ -1,60 +1,58 @@
 // The reference pictures: made by POV-Ray from our scenes, and watched for change.
 #pragma once
 
-#include "common/workbook/catalogue.hpp"
+#include "common/evidence/reference_scenes.hpp"
 #include "common/image/image.hpp"
+#include "common/math/vec.hpp"
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rt {
 
-/// A scene of a chapter and the files that belong to it.
-struct ReferenceScene {
-    std::string chapter{};            ///< "02_spheres"
-    std::string name{};               ///< of the file, without its ending
-    std::filesystem::path scene{};    ///< NAME.scene
-    std::filesystem::path pov{};      ///< NAME.pov
-    std::filesystem::path picture{};  ///< NAME.png, 16-bit, linear
-    /// What NAME.why says: why there is no reference. Empty: there should be one.
-    std::string why_none{};
+/// How a file of the repository stands against what would be written now.
+enum class Kept { Same, Changed, Missing };
+
+/// "same", "changed" or "missing".
+std::string_view name_of(Kept kept);
+
+/// What a check of one scene found.
+struct ReferenceFinding {
+    ReferenceScene scene;
+    Kept pov = Kept::Same;
+    Kept picture = Kept::Same;
+    std::size_t changed_pixels = 0;
+    Real greatest = 0;         ///< steps of 1/65535
+    double seconds = 0;        ///< that POV-Ray took, its start-up of an empty scene subtracted
+    double our_seconds = 0;    ///< for the same samples on as many threads, with reading and compiling
+    std::string problem = {};  ///< why the scene could not be checked
 };
 
-/// The scenes in references/CHAPTER: first those that the chapter lists, in its order, then all others.
-/// Throws InputError for a listed scene that does not exist.
-std::vector<ReferenceScene> reference_scenes(const Project& project, const Chapter& chapter);
+/// Whether neither the scene for POV-Ray nor the picture has changed, and both could be checked.
+bool is_same(const ReferenceFinding& finding);
+
+/// Exports the scenes of these chapters, renders them with POV-Ray and compares text and pixels with the
+/// files of the repository; with `make` writes what changed. `progress` is told the fraction done and the
+/// scene that is next. Throws MissingProgram without POV-Ray; other trouble becomes a scene's problem.
+std::vector<ReferenceFinding> check_references(
+    const Project& project, const std::vector<Chapter>& chapters, bool make,
+    const std::function<void(double fraction, const std::string& scene)>& progress);
+
+/// How the small picture of a chapter that the README shows stands against its first reference picture.
+struct ThumbnailFinding {
+    std::string chapter;
+    Kept state = Kept::Same;
+};
+
+/// Nothing for a chapter without reference pictures; with `make` writes what changed.
+std::optional<ThumbnailFinding> check_thumbnail(const Project& project, const Chapter& chapter, bool make);
 
 /// The picture, averaged over boxes in linear light to `width` pixels, at most its own.
 Image thumbnail(const Image& image, int width);
-
-struct ReferencesOptions {
-    bool make = false;    ///< write what changed
-    std::string chapter;  ///< number; empty: all
-    bool json = false;    ///< one JSON object on standard output instead of the table
-    bool quiet = false;   ///< nothing on standard output, no progress
-};
-
-/// Exports the scenes, renders them with POV-Ray and compares text and pixels with the files of the
-/// repository; also the thumbnails that the README shows. Returns the exit status: 1 if any differ and
-/// were not written. Throws InputError if POV-Ray is not installed.
-int run_references(const ReferencesOptions& options, const Project& project = this_project());
-
-struct RandomReferencesOptions {
-    std::uint64_t count = 0;  ///< scenes
-    std::uint64_t first = 0;  ///< number of the first
-    bool json = false;        ///< one JSON object on standard output instead of the table
-};
-
-/// Makes up scenes, exports them and compares POV-Ray's pictures with ours by the gate of the tour: each is
-/// equal, or the export refuses it. Those that differ are left in build/references/random. Returns the exit
-/// status: 1 if any differs, or if more are refused than equal. Throws InputError if POV-Ray is not
-/// installed.
-int run_random_references(const RandomReferencesOptions& options, const Project& project = this_project());
-
-/// Writes the scene for POV-Ray. Returns the exit status. Throws InputError for what POV-Ray cannot express.
-int run_export(const std::filesystem::path& scene, const std::filesystem::path& output, bool lenient);
 
 }  // namespace rt

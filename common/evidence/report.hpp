@@ -1,22 +1,57 @@
-// `course report`: error against run time, stability and what scenes leave out, measured and shown on a page.
+// The pieces of `course report`: tables for spreadsheets, plots for gnuplot, and the page around them.
+// All read the JSON that the program report_data writes (tests/report/report_data.cpp).
 #pragma once
+
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace rt {
 
-struct ReportCommand {
-    std::string what;              ///< "error-time", "stability" or "leave-out"; empty: all three
-    std::filesystem::path output;  ///< directory of the page; empty: `report` in the build directory
-    bool quick = false;            ///< fewer cases and samples: half a minute instead of five
-    bool json = false;
+using ReportData = nlohmann::ordered_json;
+
+/// A file of the report: its name in the directory, and what is in it.
+struct ReportFile {
+    std::string name;
+    std::string content;
 };
 
-/// Builds and runs the measuring programs, writes their data as CSV, has gnuplot draw them, and writes the
-/// page. Returns 1 if what was measured breaks a demand: a family with a wrong answer, a grid that differs
-/// from brute force, a scene that pays for what it does not need. Throws InputError where gnuplot, valgrind
-/// or the packages of the tests are missing.
-int run_report(const ReportCommand& command);
+/// One CSV a kind of measurement that `data` has.
+std::vector<ReportFile> report_tables(const ReportData& data);
+
+/// A plot: a gnuplot script NAME.gp, which reads the CSVs beside it and writes NAME.svg.
+struct ReportPlot {
+    std::string name;
+    int width = 0;   ///< pixels
+    int height = 0;  ///< pixels
+    std::string script;
+    std::string table;  ///< the CSV that it shows
+    std::string alt;    ///< what is to be seen, for who can't see it
+};
+
+/// The plots of what `data` has, in the order of the page.
+std::vector<ReportPlot> report_plots(const ReportData& data);
+
+/// Writes the plot's script into `directory`, beside its table, and has gnuplot draw it. Throws
+/// std::runtime_error, with gnuplot's messages, if it cannot.
+void draw(const ReportPlot& plot, const std::filesystem::path& directory);
+
+/// The SVG that gnuplot wrote with colours that follow the reader's preference for light or dark.
+std::string svg_for_light_and_dark(const std::string& svg);
+
+/// The page. `command` is the command line that made it.
+std::string report_page(const ReportData& data, const std::vector<ReportPlot>& plots,
+                        const std::string& command);
+
+/// What breaks a demand, one sentence each.
+std::vector<std::string> report_problems(const ReportData& data);
+
+/// A number as people write it: three digits, 1.2e-05 as 1.2 · 10⁻⁵; "–" for what is no number.
+std::string number_text(const ReportData& number);
+
+/// All of the data, each number in it written by `number_text`.
+ReportData numbers_as_text(ReportData data);
 
 }  // namespace rt

@@ -1,13 +1,20 @@
 // The report's plots, as scripts for gnuplot that read the CSVs beside them.
-#include "common/evidence/report_parts.hpp"
+#include "common/evidence/report.hpp"
+
+#include "common/image/whole_file.hpp"
+#include "common/terminal/process.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string_view>
 
 namespace rt {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 // Colours that can be read on white and on nearly black.
@@ -375,6 +382,18 @@ std::vector<ReportPlot> report_plots(const ReportData& data) {
     }
     if (data.contains("leave_out")) plots.push_back(leave_out_plot(data.at("leave_out")));
     return plots;
+}
+
+void draw(const ReportPlot& plot, const fs::path& directory) {
+    write_file(directory / (plot.name + ".gp"), plot.script);
+    std::string place = fs::absolute(directory).string();
+    for (auto at = place.find('\''); at != std::string::npos; at = place.find('\'', at + 2))
+        place.insert(at, 1, '\'');
+    const ProcessResult result = run_process({"gnuplot", "-e", "cd '" + place + "'", plot.name + ".gp"});
+    const fs::path drawn = directory / (plot.name + ".svg");
+    if (!succeeded(result) || !fs::exists(drawn))
+        throw std::runtime_error(fmt::format("gnuplot could not draw {}.gp:\n{}", plot.name, result.output));
+    write_file(drawn, svg_for_light_and_dark(read_file(drawn)));
 }
 
 std::string svg_for_light_and_dark(const std::string& svg) {

@@ -1,7 +1,5 @@
-// The report's data as CSV, and what of them breaks a demand.
-#include "common/evidence/report_parts.hpp"
-
-#include <fmt/format.h>
+// The report's data as tables for spreadsheets.
+#include "common/evidence/report.hpp"
 
 #include <string_view>
 
@@ -149,44 +147,6 @@ std::vector<ReportFile> report_tables(const ReportData& data) {
     if (data.contains("stability")) tables.push_back(stability_table(data.at("stability")));
     if (data.contains("leave_out")) tables.push_back(leave_out_table(data.at("leave_out")));
     return tables;
-}
-
-std::vector<std::string> report_problems(const ReportData& data) {
-    std::vector<std::string> problems;
-    const auto add = [&](std::string text) { problems.push_back(std::move(text)); };
-    if (data.contains("kernels"))
-        for (const auto& row : data.at("kernels").at("rows"))
-            if (row.at("course") && (row.at("wrong") > 0 || row.at("error_max") > 8))
-                add(fmt::format(
-                    "the course's {} is wrong in {} of {} cases, and off by up to {:.3g} κu; 8 are "
-                    "allowed",
-                    std::string(row.at("shape")), row.at("wrong").get<long long>(),
-                    row.at("cases").get<long long>(), row.at("error_max").get<double>()));
-    if (data.contains("grids"))
-        for (const auto& point : data.at("grids").at("points"))
-            if (point.at("different") > 0)
-                add(fmt::format(
-                    "a grid over {:.0f} triangles answers {} of {} rays differently from brute force",
-                    point.at("triangles").get<double>(), point.at("different").get<long long>(),
-                    point.at("brute_rays").get<long long>()));
-    if (data.contains("stability"))
-        for (const auto& row : data.at("stability")) {
-            if (row.at("stable").at("wrong") == 0) continue;
-            add(fmt::format("chapter {}, {}, {}: {} of {} cases are wrong; the first: {}",
-                            std::string(row.at("chapter")), std::string(row.at("question")),
-                            std::string(row.at("family")), row.at("stable").at("wrong").get<long long>(),
-                            row.at("stable").at("cases").get<long long>(),
-                            std::string(row.at("stable").at("first_wrong"))));
-        }
-    if (data.contains("leave_out"))
-        for (const auto& row : data.at("leave_out")) {
-            const auto& counts = row.at("instructions");
-            if (!row.at("judged") || counts.at("general") <= counts.at("limit")) continue;
-            add(fmt::format("a scene without {} takes {} instructions; {} are allowed",
-                            std::string(row.at("feature")), counts.at("general").get<long long>(),
-                            counts.at("limit").get<long long>()));
-        }
-    return problems;
 }
 
 }  // namespace rt

@@ -1,62 +1,84 @@
-// The tour: every scene of the course rendered, compared with its reference and shown on a page.
+// The tour: every scene of the course rendered and compared with its reference.
 #pragma once
 
+#include "common/evidence/agreement.hpp"
+#include "common/evidence/reference_scenes.hpp"
+#include "common/math/vec.hpp"
 #include "common/terminal/project.hpp"
-#include "common/image/image.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rt {
 
-/// Greatest difference from a reference that rounding explains, in steps of 1/65535.
-inline constexpr Real gate_steps = 2;
-
-/// Share of a picture's pixels that may differ by more, if they are at silhouettes.
-inline constexpr Real gate_share = 0.001;
-
-/// How a picture stands against its reference.
-struct Verdict {
-    Real greatest = 0;            ///< difference of a channel, clamped to [0, 1], in steps of 1/65535
-    std::size_t over = 0;         ///< pixels with a channel that differs by more than gate_steps
-    std::size_t unexplained = 0;  ///< of these, pixels not at silhouettes
-    /// Root mean square of the differences over the estimated error; of pictures with samples at random only.
-    std::optional<Real> ratio;
-    bool passed = false;
+/// One scene of the tour, and what rendering it has shown.
+struct TourStop {
+    ReferenceScene scene;
+    int width = 0;  ///< 0 before there is a picture
+    int height = 0;
+    double seconds = 0;
+    std::uint64_t rays = 0;                   ///< of all kinds; 0 for scan conversion
+    Real estimate = 0;                        ///< of the root mean square error; 0 for one sample a pixel
+    std::optional<Agreement> agreement = {};  ///< nothing where there is no reference
+    std::string problem = {};  ///< why there is no picture, or no agreement although there should be one
 };
 
-/// Greatest factor between a picture's true error and its own estimate of it.
-inline constexpr Real gate_ratio = 1.5;
+/// Whether nothing is wrong with it.
+bool passed(const TourStop& stop);
 
-/// Judges a picture with samples at random by a reference with other samples: the root mean square of the
-/// differences must be what the picture says of itself, within gate_ratio both ways. Throws as `judge` does.
-Verdict judge_samples(const Image& image, const Image& reference, Real rms_error);
-
-/// Judges a picture: at most gate_steps everywhere, save at most gate_share of the pixels, all of these at
-/// silhouettes, that is where the pixel's decision differs from one of its eight neighbours'.
-/// `decisions` is asked for one number a pixel, as `decisions(World)` gives them, only where some pixel is
-/// over. Throws InputError if the sizes of the pictures differ.
-Verdict judge(const Image& image, const Image& reference,
-              const std::function<std::vector<std::uint64_t>()>& decisions);
-
-struct TourOptions {
-    std::filesystem::path output;  ///< directory of the page; empty: `tour` in the build directory
-    bool json = false;             ///< one JSON object on standard output instead of the table
-    bool quiet = false;            ///< nothing on standard output, no progress
+/// A chapter's part of the tour, or that of the scenes in the base format.
+struct TourPart {
+    std::string name;  ///< of the directory of its pictures, "02_spheres"
+    std::string title;
+    std::string summary;
+    std::vector<TourStop> stops;
 };
+
+/// The tour before it begins: the chapters in their order, then the scenes in the base format.
+std::vector<TourPart> tour_of(const Project& project);
+
+/// How many scenes there are, were compared and have failed.
+struct TourCount {
+    std::size_t stops = 0, compared = 0, failed = 0;
+};
+TourCount count(const std::vector<TourPart>& tour);
+
+/// Files of a stop's pictures in the directory of its part.
+std::string picture_of(const TourStop& stop);
+std::string reference_of(const TourStop& stop);
+std::string difference_of(const TourStop& stop);
+
+/// By which differences are multiplied for the eye: two steps of 1/65535 become an eighth of full light.
+inline constexpr Real difference_gain = 4096;
+
+/// Renders one scene with the implementation that is linked in, writes its pictures into `directory`, which
+/// exists, and compares. What goes wrong becomes the stop's problem. `progress` is told the fraction that is
+/// done.
+void visit(TourStop& stop, const std::filesystem::path& directory, const std::function<void(Real)>& progress);
+
+/// A stop in words, as table and page show it; "–" where there is nothing to say.
+struct StopText {
+    std::string size;      ///< "320×240"
+    std::string ms;        ///< milliseconds of rendering
+    std::string rate;      ///< rays a second
+    std::string greatest;  ///< difference, in steps of 1/65535
+    std::string over;      ///< pixels that differ by more than gate_steps
+    std::string inside;    ///< of them, not at silhouettes
+    std::string error;     ///< the picture's own estimate of its error × what it really is of that
+    std::string word;      ///< the outcome: "equal"
+};
+StopText text_of(const TourStop& stop);
 
 /// What a scene file says of itself: the comment lines that it begins with, as one paragraph.
 std::string opening_comment(std::string_view text);
 
-/// Renders the scenes of all chapters with the implementation that is linked in, compares each with its
-/// reference, writes the page and prints a table. Returns the exit status: 1 if a comparison fails.
-int run_tour(const TourOptions& options, const Project& project = this_project());
+/// The page, with links to the pictures that `visit` has written into the directories of the parts.
+std::string tour_page(const std::vector<TourPart>& tour);
 
 }  // namespace rt

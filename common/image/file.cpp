@@ -432,7 +432,7 @@ Picture decode_picture(const fs::path& path, std::string_view content, Encoding 
 
 Picture read_picture(const fs::path& path, Encoding encoding) {
     require_picture_ending(path);
-    return decode_picture(path, read_whole(path), encoding);
+    return decode_picture(path, read_file(path), encoding);
 }
 
 Image read_image(const fs::path& path, Encoding encoding) { return read_picture(path, encoding).image; }

@@ -242,7 +242,7 @@ void with_temporary(const fs::path& path, const fs::path& target, Use use) {
 
 }  // namespace
 
-std::string read_whole(const fs::path& path) {
+std::string read_file(const fs::path& path) {
     // Not waiting: to open a pipe for reading would, until somebody writes.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     if (file.number < 0) fail(path, "cannot be read: " + reason(errno));

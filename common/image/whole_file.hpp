@@ -19,7 +19,7 @@ inline constexpr int pipe_silence = 10000;
 
 /// The content of a file, or what comes through a pipe. Throws InputError, the path in front, where it cannot
 /// be read, is a directory or a device, is larger than `largest_file`, or is a pipe into which nobody writes.
-std::string read_whole(const std::filesystem::path& path);
+std::string read_file(const std::filesystem::path& path);
 
 /// Writes `content` to `path` whole, through a temporary file beside it and a rename; a link or the
 /// permissions of an existing file are kept, a device or pipe is written directly. Throws InputError with

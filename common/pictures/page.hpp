@@ -1,47 +1,22 @@
-// Pieces of the HTML pages that the program writes: one style, light and dark, and pictures side by side.
+// HTML pages from mustache templates: one style, light and dark, nothing loaded from elsewhere.
 #pragma once
 
-#include "common/image/compare.hpp"
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace rt {
 
-/// Text as HTML shows it: &, <, > and quotes written as entities.
-std::string html(std::string_view text);
+/// What the names in a template stand for. Texts are data: whatever characters they have, the page shows
+/// them. A section is left out for "", false, null and an empty list. Numbers are written with all their
+/// digits, so callers make texts of those that people read.
+using PageView = nlohmann::ordered_json;
 
-/// A whole page: one file, nothing loaded from elsewhere, readable on a narrow screen and a wide one, in
-/// light and in dark. `title` is plain text, `body` is HTML.
-std::string html_page(std::string_view title, std::string_view body);
-
-/// A picture with words below it. `source` is a link or a data URL, `alt` says what is to be seen.
-struct PageFigure {
-    std::string source;
-    std::string alt;
-    std::string caption;
-    int width = 0;   ///< pixels
-    int height = 0;  ///< pixels
-};
-
-/// Figures in a row, each a link to its file (none for data URLs); below each other where it is narrow.
-std::string html_figures(const std::vector<PageFigure>& figures);
-
-/// Names and values as a description list.
-std::string html_facts(const std::vector<std::pair<std::string, std::string>>& facts);
-
-/// A verdict: a word that does not depend on colour to be understood, and a colour.
-std::string html_verdict(bool passed, std::string_view word);
-
-/// The image as a data URL: an 8-bit sRGB PNG.
-std::string data_url(const Image& image);
-
-/// A power of two that makes the difference of two images visible, at least 1.
-Real visible_gain(const Comparison& comparison);
-
-/// What `course compare --page` writes: both pictures and their difference, embedded, and the figures.
-std::string comparison_page(const Image& image, const Image& reference, const Comparison& comparison,
-                            std::string_view image_name, std::string_view reference_name);
+/// The page that a template makes of `view`; `file` is its path from the repository's root, such as
+/// "common/evidence/pages/tour.mustache". The templates beside it and those of common/pictures/pages are its
+/// partials. The page's style is page.css and, if there is one, the .css file beside the template with its
+/// name. Throws InputError where a file cannot be read, std::logic_error for a template that is not one.
+std::string page_from(std::string_view file, const PageView& view);
 
 }  // namespace rt

@@ -1,10 +1,10 @@
 // What the commands that take a scene share: reading it, and where its picture goes.
 #include "common/pictures/scene_file.hpp"
 
-#include "common/workbook/check.hpp"
-#include "common/terminal/console.hpp"
 #include "common/math/input_error.hpp"
 #include "common/scene/parse.hpp"
+#include "common/terminal/console.hpp"
+#include "common/workbook/check.hpp"
 
 #include <fmt/format.h>
 

@@ -125,7 +125,7 @@ std::string read_text(const std::filesystem::path& path, const std::string& name
         throw InputError(name + ": there is no such file" + similar_file(path));
     if (std::filesystem::is_directory(status)) throw InputError(name + ": is a directory, not a file");
 
-    return read_whole(path);
+    return read_file(path);
 }
 
 std::string_view without_bom(std::string_view text) {

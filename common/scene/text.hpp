@@ -46,7 +46,7 @@ void check_is_text(std::string_view text, const std::string& name);
 
 /// The content of a text file. Throws InputError, with `name` in front and the reason, where there is no such
 /// file (with a suggestion where one of a similar name is beside it) or it is a directory, and as
-/// `read_whole`.
+/// `read_file`.
 std::string read_text(const std::filesystem::path& path, const std::string& name);
 
 /// A byte order mark of UTF-8 taken off the front.

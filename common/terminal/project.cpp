@@ -1,13 +1,9 @@
 // Where things are: the repository and its build directory.
 #include "common/terminal/project.hpp"
 
-#include "common/math/input_error.hpp"
-
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <fstream>
-#include <sstream>
 
 namespace rt {
 
@@ -28,14 +24,6 @@ fs::path memory(const Project& project, std::string_view name) {
 std::string relative(const Project& project, const fs::path& path) {
     const fs::path inside = fs::absolute(path).lexically_normal().lexically_relative(project.root);
     return inside.empty() || *inside.begin() == ".." ? path.string() : inside.string();
-}
-
-std::string read_file(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    if (!in || fs::is_directory(path)) throw InputError(path.string() + ": cannot be read");
-    text << in.rdbuf();
-    return text.str();
 }
 
 std::string fingerprint(std::string_view text) {

@@ -25,9 +25,6 @@ std::filesystem::path memory(const Project& project, std::string_view name);
 /// The path as a person at the repository's root would write it; unchanged if it is outside.
 std::string relative(const Project& project, const std::filesystem::path& path);
 
-/// A whole file. Throws InputError if it cannot be read.
-std::string read_file(const std::filesystem::path& path);
-
 /// FNV-1a (Fowler, Noll & Vo), 64 bits, as 16 hexadecimal digits: tells whether a text has changed.
 std::string fingerprint(std::string_view text);
 

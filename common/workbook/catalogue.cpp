@@ -1,6 +1,7 @@
 // The chapters as their chapter.json describe them: steps, hints, points and scenes.
 #include "common/workbook/catalogue.hpp"
 
+#include "common/image/whole_file.hpp"
 #include "common/workbook/exercise.hpp"
 #include "common/math/input_error.hpp"
 

@@ -1,6 +1,7 @@
 // Builds and tests chapters; a compile error, a crash or a hang costs what it must and no more.
 #include "common/workbook/check.hpp"
 
+#include "common/image/whole_file.hpp"
 #include "common/terminal/console.hpp"
 #include "common/workbook/exercise.hpp"
 #include "common/terminal/lock.hpp"

@@ -1,4 +1,5 @@
 // Exercises are generated from annotated solutions.
+#include "common/image/whole_file.hpp"
 #include "common/workbook/exercise.hpp"
 #include "common/terminal/project.hpp"
 #include "common/math/input_error.hpp"

@@ -1,4 +1,5 @@
 // Several programs at once: who waits, what each has to itself, and what outlives a build.
+#include "common/image/whole_file.hpp"
 #include "common/terminal/lock.hpp"
 #include "common/terminal/process.hpp"
 #include "common/workbook/results.hpp"

@@ -1,6 +1,6 @@
 // The report's tables, plots and page, from measurements that are made up here.
 #include "common/evidence/report.hpp"
-#include "common/evidence/report_parts.hpp"
+#include "common/commands/commands.hpp"
 #include "common/math/input_error.hpp"
 #include "tests/catch.hpp"
 

@@ -1,4 +1,5 @@
 // From the report of a test program to the state of each step, and what is remembered of it.
+#include "common/image/whole_file.hpp"
 #include "common/workbook/check.hpp"
 #include "common/workbook/drift.hpp"
 #include "common/workbook/verdict.hpp"

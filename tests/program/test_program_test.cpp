@@ -1,4 +1,5 @@
 // What a test program reports of itself, whatever its tests say.
+#include "common/image/whole_file.hpp"
 #include "common/terminal/process.hpp"
 #include "common/workbook/results.hpp"
 #include "tests/catch.hpp"

@@ -1,11 +1,12 @@
 // The tour's gate, its page, and the pictures that it stands on.
 #include "common/evidence/tour.hpp"
-#include "common/pictures/page.hpp"
+#include "common/commands/commands.hpp"
 #include "common/evidence/references.hpp"
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
-#include "tests/program/sandbox.hpp"
+#include "common/pictures/comparison_page.hpp"
 #include "tests/catch.hpp"
+#include "tests/program/sandbox.hpp"
 
 #include <cstdlib>
 #include <limits>
@@ -33,7 +34,7 @@ std::vector<std::uint64_t> decided() {
     return decisions;
 }
 
-Verdict verdict(const Image& image) { return judge(image, halves(), decided); }
+Agreement judged(const Image& image) { return judge(image, halves(), decided); }
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -52,7 +53,7 @@ Project white_disc(const std::string& name) {
 }  // namespace
 
 TEST_CASE("a picture that equals its reference passes, and nobody asks for its decisions", "[tour]") {
-    const Verdict v = judge(halves(), halves(), []() -> std::vector<std::uint64_t> {
+    const Agreement v = judge(halves(), halves(), []() -> std::vector<std::uint64_t> {
         FAIL("decisions were asked for");
         return {};
     });
@@ -64,11 +65,11 @@ TEST_CASE("a picture that equals its reference passes, and nobody asks for its d
 TEST_CASE("two steps pass everywhere, three at one pixel inside fail", "[tour]") {
     Image image = halves();
     for (Vec3& p : image.pixels) p += Vec3(1.9 * step, 0, -1.9 * step);
-    CHECK(verdict(image).passed);
-    CHECK(verdict(image).greatest == Approx(1.9));
+    CHECK(judged(image).passed);
+    CHECK(judged(image).greatest == Approx(1.9));
 
     pixel(image, 5, 7).y += 3 * step;
-    const Verdict v = verdict(image);
+    const Agreement v = judged(image);
     CHECK(v.over == 1);
     CHECK(v.unexplained == 1);
     CHECK_FALSE(v.passed);
@@ -78,7 +79,7 @@ TEST_CASE("a pixel at a silhouette may differ by anything, one beside it may not
     for (const int x : {width / 2 - 1, width / 2}) {
         Image image = halves();
         pixel(image, x, 3) = Vec3(1, 0, 0);
-        const Verdict v = verdict(image);
+        const Agreement v = judged(image);
         CAPTURE(x);
         CHECK(v.over == 1);
         CHECK(v.unexplained == 0);
@@ -88,7 +89,7 @@ TEST_CASE("a pixel at a silhouette may differ by anything, one beside it may not
         Image image = halves();
         pixel(image, x, 3) = Vec3(1, 0, 0);
         CAPTURE(x);
-        CHECK_FALSE(verdict(image).passed);
+        CHECK_FALSE(judged(image).passed);
     }
 }
 
@@ -110,17 +111,17 @@ TEST_CASE("neighbours are above, below and across corners, too", "[tour]") {
 TEST_CASE("more than a thousandth of the pixels fail even at silhouettes", "[tour]") {
     Image image = halves();
     pixel(image, width / 2, 1) = pixel(image, width / 2, 2) = Vec3(0);
-    CHECK(verdict(image).passed);  // 2 of 2000
+    CHECK(judged(image).passed);  // 2 of 2000
     pixel(image, width / 2, 3) = Vec3(0);
-    CHECK(verdict(image).unexplained == 0);
-    CHECK_FALSE(verdict(image).passed);
+    CHECK(judged(image).unexplained == 0);
+    CHECK_FALSE(judged(image).passed);
 }
 
 TEST_CASE("NaN is a difference, and values over 1 are what a display shows", "[tour]") {
     Image image = halves();
     pixel(image, 2, 2).z = std::numeric_limits<Real>::quiet_NaN();
-    CHECK_FALSE(verdict(image).passed);
-    CHECK(verdict(image).greatest == Approx(65535));
+    CHECK_FALSE(judged(image).passed);
+    CHECK(judged(image).greatest == Approx(65535));
 
     Image bright = halves(), white = halves();
     pixel(bright, 2, 2) = Vec3(7);
@@ -137,9 +138,9 @@ TEST_CASE("the tour passes a picture like its reference and fails an altered one
     const Project project = white_disc("tour");
     const fs::path output = project.build / "tour",
                    reference = project.root / "references/02_spheres/one.png";
-    const TourOptions options{.output = output, .json = false, .quiet = true};
+    const TourCommand command{.output = output, .json = false, .quiet = true};
 
-    CHECK(run_tour(options, project) == 1);  // there is no reference
+    CHECK(run_tour(command, project) == 1);  // there is no reference
     const fs::path ours = output / "02_spheres/one.png";
     REQUIRE(fs::exists(ours));
     Image image = read_image(ours);
@@ -147,7 +148,7 @@ TEST_CASE("the tour passes a picture like its reference and fails an altered one
     CHECK(pixel(image, 0, 0) == Vec3(0));
 
     write_image(reference, image);
-    CHECK(run_tour(options, project) == 0);
+    CHECK(run_tour(command, project) == 0);
     const std::string page = read_file(output / "index.html");
     CHECK(contains(page, "prefers-color-scheme: dark"));
     CHECK(contains(page, "02_spheres/one.reference.png"));
@@ -156,24 +157,24 @@ TEST_CASE("the tour passes a picture like its reference and fails an altered one
 
     pixel(image, 12, 8) = Vec3(0);
     write_image(reference, image);
-    CHECK(run_tour(options, project) == 1);
+    CHECK(run_tour(command, project) == 1);
     CHECK(contains(read_file(output / "index.html"), "differs"));
 }
 
 TEST_CASE("a scene without a reference needs a reason", "[tour]") {
     const Project project = white_disc("tour_why");
     test::write(project.root / "references/02_spheres/one.why", "It shows what POV-Ray cannot.\n");
-    const TourOptions options{.output = project.build / "tour", .json = false, .quiet = true};
-    CHECK(run_tour(options, project) == 0);
-    CHECK(contains(read_file(options.output / "index.html"), "It shows what POV-Ray cannot."));
+    const TourCommand command{.output = project.build / "tour", .json = false, .quiet = true};
+    CHECK(run_tour(command, project) == 0);
+    CHECK(contains(read_file(command.output / "index.html"), "It shows what POV-Ray cannot."));
 }
 
 TEST_CASE("a scene that cannot be read fails its tour and is named", "[tour]") {
     const Project project = white_disc("tour_broken");
     test::write(project.root / "references/02_spheres/other.scene", "version 1\nsfere 0 0 0 1\n");
-    const TourOptions options{.output = project.build / "tour", .json = false, .quiet = true};
-    CHECK(run_tour(options, project) == 1);
-    CHECK(contains(read_file(options.output / "index.html"), "other.scene:2:1"));
+    const TourCommand command{.output = project.build / "tour", .json = false, .quiet = true};
+    CHECK(run_tour(command, project) == 1);
+    CHECK(contains(read_file(command.output / "index.html"), "other.scene:2:1"));
 }
 
 TEST_CASE("a chapter's own scenes come first, in its order, then all others", "[references]") {
@@ -237,7 +238,7 @@ TEST_CASE("a scene's opening comment is one paragraph", "[tour]") {
 TEST_CASE("a picture of random samples must differ from its reference as much as it says", "[tour]") {
     Image image = halves();
     for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] += Vec3(i % 2 == 0 ? 0.01 : -0.01);
-    const Verdict right = judge_samples(image, halves(), 0.01);
+    const Agreement right = judge_samples(image, halves(), 0.01);
     CHECK(right.passed);
     REQUIRE(right.ratio.has_value());
     CHECK(std::abs(*right.ratio - 1) < 1e-9);

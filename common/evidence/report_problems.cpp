@@ -1,0 +1,64 @@
+// What of the report's data breaks a demand.
+#include "common/evidence/report.hpp"
+
+#include <fmt/format.h>
+
+namespace rt {
+namespace {
+
+using Problems = std::vector<std::string>;
+
+std::string text(const ReportData& value) { return value; }
+long long number(const ReportData& value) { return value; }
+
+void add_kernels(Problems& problems, const ReportData& kernels) {
+    for (const auto& row : kernels.at("rows"))
+        if (row.at("course") && (row.at("wrong") > 0 || row.at("error_max") > 8))
+            problems.push_back(fmt::format(
+                "the course's {} is wrong in {} of {} cases, and off by up to {:.3g} κu; 8 are allowed",
+                text(row.at("shape")), number(row.at("wrong")), number(row.at("cases")),
+                row.at("error_max").get<double>()));
+}
+
+void add_grids(Problems& problems, const ReportData& grids) {
+    for (const auto& point : grids.at("points"))
+        if (point.at("different") > 0)
+            problems.push_back(
+                fmt::format("a grid over {:.0f} triangles answers {} of {} rays differently from brute force",
+                            point.at("triangles").get<double>(), number(point.at("different")),
+                            number(point.at("brute_rays"))));
+}
+
+void add_stability(Problems& problems, const ReportData& rows) {
+    for (const auto& row : rows) {
+        const auto& stable = row.at("stable");
+        if (stable.at("wrong") > 0)
+            problems.push_back(fmt::format("chapter {}, {}, {}: {} of {} cases are wrong; the first: {}",
+                                           text(row.at("chapter")), text(row.at("question")),
+                                           text(row.at("family")), number(stable.at("wrong")),
+                                           number(stable.at("cases")), text(stable.at("first_wrong"))));
+    }
+}
+
+void add_leave_out(Problems& problems, const ReportData& rows) {
+    for (const auto& row : rows) {
+        const auto& counts = row.at("instructions");
+        if (row.at("judged") && counts.at("general") > counts.at("limit"))
+            problems.push_back(fmt::format("a scene without {} takes {} instructions; {} are allowed",
+                                           text(row.at("feature")), number(counts.at("general")),
+                                           number(counts.at("limit"))));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> report_problems(const ReportData& data) {
+    Problems problems;
+    if (data.contains("kernels")) add_kernels(problems, data.at("kernels"));
+    if (data.contains("grids")) add_grids(problems, data.at("grids"));
+    if (data.contains("stability")) add_stability(problems, data.at("stability"));
+    if (data.contains("leave_out")) add_leave_out(problems, data.at("leave_out"));
+    return problems;
+}
+
+}  // namespace rt
