@@ -1,0 +1,116 @@
+// One section an integrator, and the table of them at the end.
+#include "common/povray/integrators.hpp"
+
+#include "common/povray/camera.hpp"
+#include "common/povray/interiors.hpp"
+#include "common/povray/lights.hpp"
+#include "common/povray/materials.hpp"
+#include "common/povray/placement.hpp"
+#include "common/povray/refuse.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace rt::povray {
+namespace {
+
+Vec3 scene_background(const Scene& scene) { return scene.background; }
+
+void write_nothing(Writer&) {}
+
+std::string transform_of(const Scene& scene, const Object& object) {
+    if (object.transform < 0) return "";
+    const Mat4 m = matrix_of(scene, object.transform);
+    std::string text = " matrix <";
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) text += (column + row == 0 ? "" : ", ") + number(m[column][row]);
+    return text + ">";
+}
+
+/// Shape, transform and texture, in this order, because checkers are solid in world space.
+std::string textured(const Scene& scene, const Object& object, const std::string& texture) {
+    return beginning(scene, object) + transform_of(scene, object) + " texture { " + texture + " }";
+}
+
+std::string material_name(const Object& object) { return fmt::format("Material{}", object.material); }
+
+// raytrace and flat -----------------------------------------------------------------------------------------
+
+std::string lit_object(const Scene& scene, const Object& object) {
+    return textured(scene, object, material_name(object)) + inside(scene, object) +
+           (scene.shadows ? "" : " no_shadow") + " }";
+}
+
+std::string flat_object(const Scene& scene, const Object& object) {
+    return textured(scene, object, material_name(object)) + " }";
+}
+
+// normals; scan conversion draws the same picture -----------------------------------------------------------
+
+constexpr std::string_view normal_texture =
+    "texture { pigment { rgb 1 } finish { ambient 0 diffuse 1 emission 0.5 } }";
+
+void write_outward_lights(Writer& out) { write_normal_lights(out, 1); }
+
+void write_normal_texture(Writer& out) { out.line("#declare Normal = {}\n", normal_texture); }
+
+std::string normal_object(const Scene& scene, const Object& object) {
+    return textured(scene, object, "Normal") + " }";
+}
+
+// directions: the inside of a sphere around the eye has the normal −d, turned to the viewer -----------------
+
+/// In an orthographic view all directions are the same, and a background shows them.
+bool has_one_direction(const Scene& scene) { return scene.camera.projection == Projection::Orthographic; }
+
+Vec3 direction_background(const Scene& scene) { return 0.5 * (Vec3(1) - basis_of(scene.camera).w); }
+
+void write_inward_lights(Writer& out) {
+    if (!has_one_direction(out.scene)) write_normal_lights(out, -1);
+}
+
+void write_direction_sphere(Writer& out) {
+    if (!has_one_direction(out.scene))
+        out.line("sphere {{ {}, 1 {} }}", triple(out.scene.camera.eye), normal_texture);
+}
+
+// uv --------------------------------------------------------------------------------------------------------
+
+/// Paints (u, v, 0): the mean of u in red and v in green, twice as bright.
+std::string uv_texture(std::string_view mapping, std::string_view u, std::string_view v) {
+    return fmt::format(
+        "texture {{ pigment {{ {}average pigment_map {{ [function {{ {} }} color_map {{ [0 rgb 0] [1 rgb <1, "
+        "0, 0>] }}] [function {{ {} }} color_map {{ [0 rgb 0] [1 rgb <0, 1, 0>] }}] }} }} "
+        "finish {{ ambient 0 diffuse 0 emission 2 }} }}",
+        mapping, u, v);
+}
+
+void write_uv_textures(Writer& out) {
+    out.line("#declare SphereUv = {}\n",
+             uv_texture("", "atan2(z, x) / (2 * pi) + (z < 0)", "0.5 + asin(min(max(y, -1), 1)) / pi"));
+    out.line("#declare MeshUv = {}\n", uv_texture("uv_mapping ", "x", "y"));
+    out.line("#declare NoUv = texture {{ pigment {{ rgb 0 }} finish {{ ambient 0 diffuse 0 }} }}\n");
+}
+
+std::string uv_object(const Scene& scene, const Object& object) {
+    return with_uv(scene, object, transform_of(scene, object));
+}
+
+constexpr Expression expressions[] = {
+    {Integrator::Raytrace, scene_background, write_lights, write_materials, lit_object},
+    {Integrator::Flat, scene_background, write_nothing, write_flat_materials, flat_object},
+    {Integrator::Directions, direction_background, write_inward_lights, write_direction_sphere, nullptr},
+    {Integrator::Normals, scene_background, write_outward_lights, write_normal_texture, normal_object},
+    {Integrator::Rasterize, scene_background, write_outward_lights, write_normal_texture, normal_object},
+    {Integrator::Uv, scene_background, write_nothing, write_uv_textures, uv_object},
+};
+
+}  // namespace
+
+const Expression& expression_of(const Scene& scene) {
+    const auto found = std::ranges::find(expressions, scene.integrator, &Expression::integrator);
+    if (found == std::end(expressions)) refuse(scene, "it has nothing like the scene's integrator");
+    return *found;
+}
+
+}  // namespace rt::povray

@@ -1,0 +1,20 @@
+// How POV-Ray expresses an integrator: what the light of a scene becomes.
+#pragma once
+
+#include "common/povray/writer.hpp"
+
+namespace rt::povray {
+
+/// A row of the table in integrators.cpp.
+struct Expression {
+    Integrator integrator;
+    Vec3 (*background)(const Scene&);
+    void (*write_lights)(Writer&);
+    void (*write_textures)(Writer&);
+    std::string (*object)(const Scene&, const Object&);  ///< its statement; null where none is shown
+};
+
+/// Refuses the scene where its integrator has no row.
+const Expression& expression_of(const Scene& scene);
+
+}  // namespace rt::povray

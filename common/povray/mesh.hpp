@@ -1,0 +1,16 @@
+// Meshes in POV-Ray's language.
+#pragma once
+
+#include "common/povray/writer.hpp"
+
+#include <cstddef>
+
+namespace rt::povray {
+
+/// Declares the scene's mesh of that index, as `Mesh0`.
+void write_mesh(Writer& out, std::size_t index);
+
+/// Whether each edge belongs to an even number of faces.
+bool is_closed(const Mesh& mesh);
+
+}  // namespace rt::povray

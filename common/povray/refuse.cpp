@@ -1,0 +1,132 @@
+// Scenes whose rays POV-Ray sends on otherwise than we do.
+#include "common/povray/refuse.hpp"
+
+#include "common/math/input_error.hpp"
+#include "common/povray/camera.hpp"
+#include "common/povray/optics.hpp"
+#include "common/povray/placement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rt::povray {
+namespace {
+
+bool is_lit(const Scene& scene) {
+    const auto reflects = [&](const Object& object) {
+        const Material& m = material_of(scene, object);
+        return !is_black(m.diffuse) || !is_black(m.specular);
+    };
+    const auto shines = [](const Light& light) {
+        return std::visit([](const auto& one) { return !is_black(one.color); }, light);
+    };
+    return std::ranges::any_of(scene.lights, shines) && std::ranges::any_of(scene.objects, reflects);
+}
+
+/// Whether some, but not all, of the rays of an orthographic view may begin inside the object.
+bool is_around_part_of_view(const Scene& scene, const Object& object) {
+    const Camera& camera = scene.camera;
+    const auto [u, v, w] = basis_of(camera);
+    const Real high = camera.view_height / 2, wide = high * scene.width / scene.height;
+    int inside = 0;
+    Box picture;
+    for (const Vec3& at :
+         {wide * u + high * v, wide * u - high * v, -wide * u + high * v, -wide * u - high * v}) {
+        const Vec3 p = camera.eye + at;
+        picture = {glm::min(picture.low, p), glm::max(picture.high, p)};
+        if (const auto* plane = std::get_if<Plane>(&object.shape)) {
+            const Plane here = moved(*plane, matrix_of(scene, object.transform));
+            inside += glm::dot(here.normal, p - here.point) < 0;
+        }
+    }
+    if (std::holds_alternative<Plane>(object.shape)) return inside % 4 != 0;
+    return overlap(box_of(scene, object), picture);
+}
+
+/// Our rays are all inside of what the eye is inside of, also those that an orthographic view begins beside
+/// it.
+void refuse_partly_inside(const Scene& scene) {
+    if (scene.camera.projection != Projection::Orthographic) return;
+    for (const Object& object : scene.objects)
+        if (is_glass(scene, object) && is_around_part_of_view(scene, object))
+            refuse(scene, object, "transparent, and an orthographic view begins partly inside of it");
+}
+
+void refuse_nested_fresnel(const Scene& scene) {
+    for (const Object& mirror : scene.objects) {
+        if (!is_glass(scene, mirror) || material_of(scene, mirror).fresnel == Fresnel::None) continue;
+        for (const Object& other : scene.objects)
+            if (&other != &mirror && is_glass(scene, other) && may_overlap(scene, mirror, other))
+                refuse(scene, mirror,
+                       fmt::format("fresnel where it may be inside or around the transparent object of line "
+                                   "{}: on the way out POV-Ray forgets what is around",
+                                   other.place.line));
+    }
+}
+
+/// POV-Ray's weight of a ray is the product of the strongest channels on its way, and leaves out Fresnel's
+/// share.
+void refuse_weights(const Scene& scene, const Object& object) {
+    const Material& m = material_of(scene, object);
+    if (scene.min_contribution == 0) return;
+    if (!is_grey(m.specular) || !is_grey(m.transmission))
+        refuse(scene, object,
+               "a coloured mirror or glass with mincontribution: POV-Ray's weights have no colour");
+    if (is_glass(scene, object) && m.fresnel != Fresnel::None)
+        refuse(scene, object, "fresnel with mincontribution: POV-Ray's weights leave it out");
+}
+
+void refuse_material(const Scene& scene, const Object& object) {
+    const Material& m = material_of(scene, object);
+    if (!scene.lights.empty() && !is_grey(m.specular)) {
+        if (m.fresnel != Fresnel::None)
+            refuse(scene, object, "a transparent material with fresnel and a coloured highlight");
+        for (int i = 0; i < 3; ++i)
+            if (m.specular[i] == 0 && m.transmission[i] > 0)
+                refuse(scene, object,
+                       "a transparent material whose highlight lacks a channel that it transmits");
+    }
+    if (m.fresnel == Fresnel::Schlick)
+        refuse(scene, object,
+               "Schlick's approximation, for which POV-Ray takes the angle of incidence also where light "
+               "leaves the denser side");
+    if (!is_black(m.absorption) && may_bounce(scene) && is_lit(scene))
+        refuse(scene, object,
+               "absorption in a scene with lights, whose light POV-Ray absorbs on its way to a surface, too");
+}
+
+void refuse_glass_shape(const Scene& scene, const Object& object) {
+    if (!has_inside(object))
+        refuse(scene, object, "a transparent object without an inside; put its faces into one `mesh`");
+    const auto* shown = std::get_if<MeshObject>(&object.shape);
+    if (may_bounce(scene) && shown && !scene.meshes[shown->mesh].normals.empty())
+        refuse(scene, object,
+               "a transparent mesh with normals of its own, through whose flat faces POV-Ray takes rays "
+               "inside that stay outside");
+}
+
+}  // namespace
+
+void refuse(const Scene& scene, const Object& object, std::string_view why) {
+    throw InputError(fmt::format("{}:{}:{}: POV-Ray cannot express this object: {}", scene.file,
+                                 object.place.line, object.place.column, why));
+}
+
+void refuse(const Scene& scene, std::string_view why) {
+    throw InputError(fmt::format("{}: POV-Ray cannot express this scene: {}", scene.file, why));
+}
+
+void refuse_other_optics(const Scene& scene) {
+    for (const Object& object : scene.objects) {
+        if (may_bounce(scene)) refuse_weights(scene, object);
+        if (!is_glass(scene, object)) continue;
+        refuse_material(scene, object);
+        refuse_glass_shape(scene, object);
+    }
+    if (!may_bounce(scene)) return;
+    refuse_nested_fresnel(scene);
+    refuse_partly_inside(scene);
+}
+
+}  // namespace rt::povray

@@ -1,0 +1,44 @@
+// The shapes of a file in POV-Ray's language, and what else it must be told of them.
+// None of these looks at the object's transform or material.
+#pragma once
+
+#include "common/scene/scene.hpp"
+
+#include <string>
+
+namespace rt::povray {
+
+/// A box along the axes; without a point inside where `low` is greater.
+struct Box {
+    Vec3 low{infinity};
+    Vec3 high{-infinity};
+};
+
+/// The beginning of its statement: `sphere { <0, 0, 0>, 1`.
+std::string beginning(const Scene& scene, const Object& object);
+
+/// The whole statement with texture coordinates as colours; `transform` is a text, too.
+std::string with_uv(const Scene& scene, const Object& object, const std::string& transform);
+
+/// The box of the shape after `m`; infinite for a plane.
+Box box_of(const Scene& scene, const Object& object, const Mat4& m);
+
+/// The least length that is to be told from nothing after `m`; 0 where there is none.
+Real least_length_of(const Scene& scene, const Object& object, const Mat4& m);
+
+/// The shape's size in its own space; 0 where it has none, or none that `scale` changes.
+Real own_size(const Scene& scene, const Object& object);
+
+/// Multiplies the shape's own lengths; vertices may be shared, so it gets new ones. Meshes are scaled by
+/// themselves (scaling.cpp).
+void scale(Scene& scene, Object& object, Real factor);
+
+/// Whether the shape has an inside of its own, and whether `p`, in its own space, is there for POV-Ray, whose
+/// meshes have none unless they are told of one.
+bool has_inside(const Object& object);
+bool contains(const Object& object, const Vec3& p);
+
+/// Whether a ray inside may go on for ever: it is no closed body.
+bool is_endless(const Scene& scene, const Object& object);
+
+}  // namespace rt::povray
