@@ -152,7 +152,6 @@ PolygonCut cut_seen_along(int axis, std::span<const Vec3> corners, std::span<con
 }  // namespace
 
 PolygonCut cut_polygon(std::span<const Vec3> corners) {
-    // Corners that stand at the place of the one before them are left out.
     std::vector<std::uint32_t> kept;
     std::vector<Vec3> different;
     for (std::uint32_t i = 0; i < corners.size(); ++i) {

@@ -223,6 +223,19 @@ TEST_CASE("corners given twice in a row count once", "[cut]") {
     CHECK(cut_polygon(corners_of(square)).triangles.size() == 2);
 }
 
+TEST_CASE("a quadrilateral that folds back on itself has one triangle without area", "[cut]") {
+    const auto twice_areas = [](const Outline& p) {
+        const PolygonCut cut = cut_polygon(corners_of(p));
+        CHECK(std::string(cut.problem) == "");
+        std::multiset<long> areas;
+        for (const auto& [a, b, c] : cut.triangles) areas.insert(std::abs(area(p[a], p[b], p[c])));
+        return areas;
+    };
+    const std::multiset<long> expected{0, 9};
+    CHECK(twice_areas({{3, 0}, {1, 0}, {3, 9}, {0, 0}}) == expected);
+    CHECK(twice_areas({{3, 0}, {1, 0}, {1, 0}, {3, 9}, {0, 0}, {0, 0}, {3, 0}}) == expected);
+}
+
 TEST_CASE("outlines that cross themselves and those without an area are refused", "[cut]") {
     CHECK(problem_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}) == "crosses itself");
     CHECK(problem_of({{0, 0}, {4, 2}, {4, 0}, {1, 3}}) == "crosses itself");
