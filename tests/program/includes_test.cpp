@@ -1,4 +1,5 @@
 // What may include what: the table of rooms in CONTRIBUTING.md, and every `#include "…"` held against it.
+#include "common/image/whole_file.hpp"
 #include "common/terminal/project.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
