@@ -175,7 +175,7 @@ inline std::string show(const CellVisit& visit) {
     return "cell " + show(visit.cell) + " in " + show(visit.t);
 }
 
-inline std::string show(const WalkCounts& counts) {
+inline std::string show(const SearchCounts& counts) {
     return show(counts.cells) + " cells, " + show(counts.shapes) + " shapes";
 }
 

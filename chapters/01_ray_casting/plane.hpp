@@ -1,8 +1,8 @@
 // The plane: the simplest thing that a ray can hit.
 #pragma once
 
-#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
+#include "common/world/hit.hpp"
 
 #include <optional>
 #include <span>
@@ -20,8 +20,5 @@ Surface surface_at(const Plane& plane, const Ray& ray, const Hit& hit);
 /// [01.5] Nearest of the hits with all the planes, or nothing. `Hit::primitive` is the plane's index; of
 /// equal distances the lowest index wins.
 std::optional<Hit> closest_hit(std::span<const Plane> planes, const Ray& ray, Interval range);
-
-/// Whether any plane is hit in the range. Given.
-bool any_hit(std::span<const Plane> planes, const Ray& ray, Interval range);
 
 }  // namespace rt

@@ -102,21 +102,4 @@ Surface surface_at(const Polygon& polygon, const Ray& ray, const Hit& hit) {
     return surface_at(plane_of(polygon.vertices), ray, hit);
 }
 
-std::optional<Hit> closest_hit(std::span<const Polygon> polygons, const Ray& ray, Interval range) {
-    std::optional<Hit> nearest;
-    for (std::size_t i = 0; i < polygons.size(); ++i) {
-        std::optional<Hit> hit = intersect(polygons[i], ray, range);
-        if (!hit || (nearest && hit->t == nearest->t)) continue;
-        hit->primitive = static_cast<std::uint32_t>(i);
-        nearest = hit;
-        range.max = hit->t;
-    }
-    return nearest;
-}
-
-bool any_hit(std::span<const Polygon> polygons, const Ray& ray, Interval range) {
-    return std::any_of(polygons.begin(), polygons.end(),
-                       [&](const Polygon& polygon) { return intersect(polygon, ray, range).has_value(); });
-}
-
 }  // namespace rt

@@ -1,8 +1,8 @@
 // Planar polygons: hit the plane, then look inside.
 #pragma once
 
-#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
+#include "common/world/hit.hpp"
 
 #include <optional>
 #include <span>
@@ -51,11 +51,5 @@ std::optional<Hit> intersect(const Polygon& polygon, const Ray& ray, Interval ra
 
 /// The surface at a hit; both normals are that of the plane. Given.
 Surface surface_at(const Polygon& polygon, const Ray& ray, const Hit& hit);
-
-/// Nearest of the hits with all the polygons, as for planes. Given.
-std::optional<Hit> closest_hit(std::span<const Polygon> polygons, const Ray& ray, Interval range);
-
-/// Whether any polygon is hit in the range. Given.
-bool any_hit(std::span<const Polygon> polygons, const Ray& ray, Interval range);
 
 }  // namespace rt

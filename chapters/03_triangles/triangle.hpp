@@ -1,8 +1,9 @@
 // Triangles: barycentric coordinates, the watertight test, smooth normals.
 #pragma once
 
-#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
+#include "common/world/hit.hpp"
+#include "common/world/search.hpp"
 #include "common/world/world.hpp"
 
 #include <optional>
@@ -39,6 +40,9 @@ struct ShearedRay {
 
 /// [03.4] The ray for the watertight test: worked out once a ray, not once a triangle.
 ShearedRay shear(const Ray& ray);
+
+/// What a search among triangles works out once a ray. Given.
+inline ShearedRay prepared(Kind<Triangle>, const Ray& ray) { return shear(ray); }
 
 /// [03.4] The point as the ray sees it: measured from the ray's origin, its coordinates renamed, and sheared
 /// so that the ray itself is the z axis: (x − slope.x·z, y − slope.y·z, z).

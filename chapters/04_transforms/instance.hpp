@@ -1,11 +1,11 @@
 // Shapes under a transform: ellipsoids, and meshes that stand in many places but in memory once.
 #pragma once
 
-#include "common/scene/shapes.hpp"
+#include "chapters/04_transforms/transform.hpp"
+#include "common/world/search.hpp"
 #include "common/world/world.hpp"
 
 #include <optional>
-#include <span>
 
 namespace rt {
 
@@ -19,24 +19,36 @@ std::optional<Hit> intersect(const Ellipsoid& ellipsoid, const Ray& ray, Interva
 /// [04.6] The surface at a hit, in world space.
 Surface surface_at(const Ellipsoid& ellipsoid, const Ray& ray, const Hit& hit);
 
-/// Nearest of the hits with all the ellipsoids, as for spheres. Given.
-std::optional<Hit> closest_hit(std::span<const Ellipsoid> ellipsoids, const Ray& ray, Interval range);
+/// [04.6] Nearest hit with the mesh in (range.min, range.max], or nothing, for a ray in the mesh's own space.
+/// `Hit::element` is the triangle's index. A ray that misses the mesh's bounding sphere asks none of its
+/// triangles.
+std::optional<Hit> intersect(const MeshUse& shown, const Ray& local, Interval range);
 
-/// Whether any ellipsoid is hit in the range. Given.
-bool any_hit(std::span<const Ellipsoid> ellipsoids, const Ray& ray, Interval range);
+/// Whether any of the mesh's triangles is hit in the range. Given.
+bool is_hit(const MeshUse& shown, const Ray& local, Interval range);
 
-/// [04.6] Nearest of the hits with all the instances: `Hit::primitive` is the instance's index and
-/// `Hit::element` the triangle of its mesh. A ray that misses the mesh's bounding sphere, in local space,
-/// tests none of its triangles. Of equal distances the lowest index wins.
-std::optional<Hit> closest_hit(std::span<const Instance> instances, std::span<const SharedMesh> meshes,
-                               const Ray& ray, Interval range);
+/// The surface at a hit, in the mesh's own space; shading normals interpolated where the mesh has normals.
+/// Given.
+Surface surface_at(const MeshUse& shown, const Ray& local, const Hit& hit);
 
-/// Whether any instance is hit in the range. Given.
-bool any_hit(std::span<const Instance> instances, std::span<const SharedMesh> meshes, const Ray& ray,
-             Interval range);
+// Every other shape under a transform, instances among them, does what an ellipsoid does.
 
-/// The surface at a hit with an instance, in world space; shading normals interpolated where the mesh has
-/// normals. Given.
-Surface surface_at(const Instance& instance, const SharedMesh& mesh, const Ray& ray, const Hit& hit);
+/// Nearest hit in (range.min, range.max], or nothing. `t` is the world ray's.
+template <class Shape>
+std::optional<Hit> intersect(const Placed<Shape>& placed, const Ray& ray, Interval range) {
+    return intersect(placed.shape, to_local(placed.transform, ray), range);
+}
+
+/// Whether there is a hit in the range.
+template <class Shape>
+bool is_hit(const Placed<Shape>& placed, const Ray& ray, Interval range) {
+    return is_hit(placed.shape, to_local(placed.transform, ray), range);
+}
+
+/// The surface at a hit, in world space.
+template <class Shape>
+Surface surface_at(const Placed<Shape>& placed, const Ray& ray, const Hit& hit) {
+    return to_world(placed.transform, surface_at(placed.shape, to_local(placed.transform, ray), hit));
+}
 
 }  // namespace rt

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/math/ray.hpp"
-#include "common/world/grid.hpp"
-#include "common/world/world.hpp"
+#include "common/world/bounds.hpp"
+#include "common/world/shapes.hpp"
 
 #include <optional>
 
@@ -19,7 +19,16 @@ Bounds bounds_of(const Polygon& polygon);
 /// row of the matrix is long.
 Bounds bounds_of(const Ellipsoid& ellipsoid);
 /// A box around the instance: around the image of its mesh's bounding sphere. Given.
-Bounds bounds_of(const Instance& instance, const SharedMesh& mesh);
+Bounds bounds_of(const Instance& instance);
+
+/// The box around the image of a box under an affine map: around its eight corners. Given.
+Bounds bounds_of_image(const Transform& transform, const Bounds& box);
+/// A box around any other shape under a transform.
+template <class Shape>
+requires requires(const Shape& shape) { bounds_of(shape); }
+Bounds bounds_of(const Placed<Shape>& placed) {
+    return bounds_of_image(placed.transform, bounds_of(placed.shape));
+}
 
 /// How much more rounding moves a point that goes to local space and back than one that stays: the greatest
 /// sum along a row of |M|·|M⁻¹|. 1 for a map that only moves and stretches along the axes, at most 3 with a

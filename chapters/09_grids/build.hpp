@@ -2,9 +2,13 @@
 #pragma once
 
 #include "chapters/09_grids/bounds.hpp"
+#include "common/world/grid.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace rt {
 
@@ -56,15 +60,30 @@ using Overlaps = std::function<bool(std::uint32_t, const Bounds&)>;
 /// none.
 Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const GridOptions& options = {});
 
-/// The grid over these shapes; `options.distortion` is worked out. Given.
-Grid build_grid(std::span<const Sphere> shapes, const GridOptions& options = {});
-Grid build_grid(std::span<const Triangle> shapes, const GridOptions& options = {});
-Grid build_grid(std::span<const Polygon> shapes, const GridOptions& options = {});
-Grid build_grid(std::span<const Ellipsoid> shapes, GridOptions options = {});
-Grid build_grid(std::span<const Instance> shapes, std::span<const SharedMesh> meshes,
-                GridOptions options = {});
+/// The grid over these shapes, by their own `overlaps` where they have one, else by their bounds;
+/// `options.distortion` is worked out. Given.
+template <class Shape>
+Grid build_grid(std::span<const Shape> shapes, GridOptions options = {}) {
+    std::vector<Bounds> bounds;
+    bounds.reserve(shapes.size());
+    for (const Shape& shape : shapes) {
+        bounds.push_back(bounds_of(shape));
+        if constexpr (requires { shape.transform; })
+            options.distortion = std::max(options.distortion, distortion_of(shape.transform));
+    }
+    const Overlaps may_be_in = [&](std::uint32_t i, const Bounds& box) {
+        if constexpr (requires { overlaps(shapes[i], box); })
+            return overlaps(shapes[i], box);
+        else
+            return overlaps(bounds[i], box);
+    };
+    return build_grid(bounds, may_be_in, options);
+}
 
 /// Bytes that the grid and the grids in it take. Given.
 std::size_t bytes_of(const Grid& grid);
+
+/// The grid in words: "grid of 2 × 3 × 4 cells and 5 grids in it". Given.
+std::string in_words(const Grid& grid);
 
 }  // namespace rt

@@ -2,10 +2,8 @@
 #pragma once
 
 #include "chapters/09_grids/build.hpp"
-#include "common/world/hit.hpp"
+#include "common/world/search.hpp"
 
-#include <optional>
-#include <span>
 #include <vector>
 
 namespace rt {
@@ -23,55 +21,17 @@ struct CellVisit {
 /// in the cell up to the grid's margin.
 std::vector<CellVisit> cells_along(const GridShape& shape, const Ray& ray, Interval range);
 
-/// [09.7] Nearest hit with the shapes in (range.min, range.max], or nothing: to the bit (short of
-/// underflow, in scenes smaller than about 1e-80) that of asking them all in order, found by asking each
-/// shape at most once and only those in the cells up to the hit. `Hit::primitive` is the index into `shapes`;
-/// of equal distances the lowest wins. `mailbox` has room for all the shapes or grows; rays that start beyond
-/// the grid's reach, or have a coordinate that is not finite, ask all.
-std::optional<Hit> closest_hit(const Grid& grid, std::span<const Sphere> shapes, const Ray& ray,
-                               Interval range, Mailbox& mailbox);
-std::optional<Hit> closest_hit(const Grid& grid, std::span<const Triangle> shapes, const Ray& ray,
-                               Interval range, Mailbox& mailbox);
-std::optional<Hit> closest_hit(const Grid& grid, std::span<const Polygon> shapes, const Ray& ray,
-                               Interval range, Mailbox& mailbox);
-std::optional<Hit> closest_hit(const Grid& grid, std::span<const Ellipsoid> shapes, const Ray& ray,
-                               Interval range, Mailbox& mailbox);
-std::optional<Hit> closest_hit(const Grid& grid, std::span<const Instance> shapes,
-                               std::span<const SharedMesh> meshes, const Ray& ray, Interval range,
-                               Mailbox& mailbox);
+/// Whether the grid can tell what the ray may meet: the ray's rounding errors stay below the grid's margin,
+/// and its numbers in the range of Real. Rays from beyond the grid's reach ask every shape instead. Given.
+bool serves(const Grid& grid, const Ray& ray);
 
-/// [09.8] Whether any shape is hit in the range: stops at the first hit, wherever on the ray it is.
-bool any_hit(const Grid& grid, std::span<const Sphere> shapes, const Ray& ray, Interval range,
-             Mailbox& mailbox);
-bool any_hit(const Grid& grid, std::span<const Triangle> shapes, const Ray& ray, Interval range,
-             Mailbox& mailbox);
-bool any_hit(const Grid& grid, std::span<const Polygon> shapes, const Ray& ray, Interval range,
-             Mailbox& mailbox);
-bool any_hit(const Grid& grid, std::span<const Ellipsoid> shapes, const Ray& ray, Interval range,
-             Mailbox& mailbox);
-bool any_hit(const Grid& grid, std::span<const Instance> shapes, std::span<const SharedMesh> meshes,
-             const Ray& ray, Interval range, Mailbox& mailbox);
-
-/// Appends a hit for each shape that is hit in the range, its nearest there, in no particular order. Every
-/// shape in the cells along the range is asked, so the range should be short. Given.
-void append_hits(const Grid& grid, std::span<const Sphere> shapes, const Ray& ray, Interval range,
-                 Mailbox& mailbox, std::vector<Hit>& hits);
-void append_hits(const Grid& grid, std::span<const Triangle> shapes, const Ray& ray, Interval range,
-                 Mailbox& mailbox, std::vector<Hit>& hits);
-void append_hits(const Grid& grid, std::span<const Polygon> shapes, const Ray& ray, Interval range,
-                 Mailbox& mailbox, std::vector<Hit>& hits);
-void append_hits(const Grid& grid, std::span<const Ellipsoid> shapes, const Ray& ray, Interval range,
-                 Mailbox& mailbox, std::vector<Hit>& hits);
-void append_hits(const Grid& grid, std::span<const Instance> shapes, std::span<const SharedMesh> meshes,
-                 const Ray& ray, Interval range, Mailbox& mailbox, std::vector<Hit>& hits);
-
-/// What a ray asked on its way, for tests and figures.
-struct WalkCounts {
-    std::uint64_t cells = 0;   ///< cells entered
-    std::uint64_t shapes = 0;  ///< shapes asked
-};
-
-/// The calling thread's counts so far. Given.
-WalkCounts& walk_counts();
+/// [09.7] Asks the shapes in the cells along the ray, cell by cell, until nothing that is left can be as near
+/// as a hit that was found. What `ask` is told is what a cell lists, and the part of the ray in that cell; it
+/// returns how far along the ray there is still something to find.
+///
+/// [09.8] In a cell with a grid of its own, the cells of that along the ray are asked in its place.
+///
+/// The ray must be one that the grid serves. Adds the cells it enters to search_counts().
+void search(const Grid& grid, const Ray& ray, Interval range, const Ask& ask);
 
 }  // namespace rt

@@ -3,8 +3,8 @@
 
 #include "chapters/01_ray_casting/camera.hpp"
 #include "common/math/input_error.hpp"
+#include "common/render/accelerate.hpp"
 #include "common/render/eye_inside.hpp"
-#include "common/render/grids.hpp"
 #include "common/render/primitives.hpp"
 #include "common/scene/range.hpp"
 
@@ -110,10 +110,10 @@ void check_growth(const Scene& scene, const World& world) {
     std::vector<Real> surfaces(world.materials.size(), 0);
     if (world.needs.colored_shadows)
         for (const Primitive& primitive : world.primitives) {
-            const auto* instances = std::get_if<Instances>(&world.groups[primitive.group]);
+            const auto* instances = std::get_if<Group<Instance>>(&world.groups[primitive.group]);
             surfaces[primitive.material] +=
                 instances ? static_cast<Real>(
-                                world.meshes[instances->shapes[primitive.index].mesh].triangles.shapes.size())
+                                instances->shapes[primitive.index].shape.mesh->triangles.shapes.size())
                           : 2;
         }
     const Real bounces = world.needs.reflection || world.needs.refraction ? world.max_depth : 0;
@@ -158,7 +158,7 @@ World compile(const Scene& scene) {
                 !std::holds_alternative<MeshObject>(object.shape))
                 fail(scene, object.place, "scan conversion draws triangles only");
     check_growth(scene, world);
-    add_grids(scene, world);
+    add_accelerators(scene, world);
     if (world.needs.refraction) world.eye_inside = objects_around_eye(world);
     return world;
 }

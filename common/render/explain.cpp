@@ -1,9 +1,9 @@
 // What compiling a scene kept, what it left out, and why.
 #include "common/render/explain.hpp"
 
-#include "chapters/09_grids/build.hpp"
+#include "common/render/accelerate.hpp"
 #include "common/render/compile.hpp"
-#include "common/render/grids.hpp"
+#include "common/render/groups.hpp"
 
 #include <fmt/core.h>
 
@@ -13,37 +13,17 @@
 namespace rt {
 namespace {
 
-struct Kind {
-    std::string_view one, many;
-    std::string_view chapter;
-};
-
-Kind kind(const Planes&) { return {"plane", "planes", "01"}; }
-Kind kind(const Spheres&) { return {"sphere", "spheres", "02"}; }
-Kind kind(const Triangles& group) {
-    if (group.normals.empty()) return {"flat triangle", "flat triangles", "03"};
-    return {"smooth triangle", "smooth triangles", "03"};
-}
-Kind kind(const Polygons&) { return {"polygon", "polygons", "03"}; }
-Kind kind(const Ellipsoids&) {
-    return {"ellipsoid with its matrices", "ellipsoids with their matrices", "04"};
-}
-Kind kind(const Instances&) { return {"instance with its matrices", "instances with their matrices", "04"}; }
-
 template <class T>
 std::size_t bytes(const std::vector<T>& v) {
     return v.size() * sizeof(T);
 }
 template <class Shape>
 std::size_t bytes(const Group<Shape>& group) {
-    return bytes(group.shapes) + bytes(group.primitive);
-}
-std::size_t bytes(const Triangles& group) {
-    return bytes(group.shapes) + bytes(group.primitive) + bytes(group.normals) + bytes(group.uvs);
-}
-std::size_t bytes(const Polygons& group) {
-    std::size_t sum = bytes(group.shapes) + bytes(group.primitive);
-    for (const Polygon& polygon : group.shapes) sum += bytes(polygon.vertices);
+    std::size_t sum = bytes(group.shapes) + bytes(group.primitive) +
+                      std::visit([](const auto& of) { return bytes_of(of); }, group.accelerator);
+    if constexpr (std::is_same_v<Shape, Triangle>) sum += bytes(group.normals) + bytes(group.uvs);
+    if constexpr (std::is_same_v<Shape, Polygon>)
+        for (const Polygon& polygon : group.shapes) sum += bytes(polygon.vertices);
     return sum;
 }
 std::size_t bytes(const World& world) {
@@ -51,21 +31,25 @@ std::size_t bytes(const World& world) {
                       bytes(world.point_lights) + bytes(world.directional_lights) + bytes(world.faces) +
                       bytes(world.sheets);
     for (const AnyGroup& any : world.groups)
-        sum += std::visit(
-            []<class Kind>(const Kind& group) {
-                if constexpr (has_grid<Kind>)
-                    return bytes(group) + bytes_of(group.grid);
-                else
-                    return bytes(group);
-            },
-            any);
-    for (const SharedMesh& mesh : world.meshes)
-        sum += bytes(mesh.triangles) + (mesh.grid.empty() ? 0 : bytes_of(mesh.grid));
+        sum += std::visit([](const auto& group) { return bytes(group); }, any);
+    for (const auto& mesh : world.meshes) sum += bytes(mesh->triangles);
     return sum;
 }
 
 std::string counted(std::size_t n, std::string_view one, std::string_view many) {
     return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+/// How many shapes a group has, in words.
+template <class Shape>
+std::string counted(const Group<Shape>& group) {
+    const ShapeWords& w = words<Shape>;
+    if constexpr (std::is_same_v<Shape, Triangle>) {
+        const char* kind = group.normals.empty() ? "flat" : "smooth";
+        return counted(group.shapes.size(), fmt::format("{} {}", kind, w.one),
+                       fmt::format("{} {}", kind, w.many));
+    }
+    return counted(group.shapes.size(), w.one, w.many);
 }
 
 /// Sorts features into kept and left out.
@@ -77,37 +61,34 @@ struct Sorter {
     }
 };
 
-/// The number of grids: this one and all that are in it.
-std::size_t grids_in(const Grid& grid) {
-    std::size_t sum = 1;
-    for (const Grid& inner : grid.grids) sum += grids_in(inner);
-    return sum;
-}
-
-void explain_grid(const Scene& scene, const World& world, const Grid& grid, std::size_t shapes,
-                  Explanation& explanation) {
-    const Cells& cells = grid.shape.cells;
-    const std::string what =
-        fmt::format("grid of {} × {} × {} cells{} for them, {} bytes a shape", cells.x, cells.y, cells.z,
-                    grid.grids.empty() ? "" : fmt::format(" and {} grids in it", grids_in(grid) - 1),
-                    bytes_of(grid) / shapes);
+template <class Shape>
+void explain_accelerator(const Scene& scene, const World& world, const Group<Shape>& group,
+                         Explanation& explanation) {
+    if (!has_accelerator(group)) return;
+    const std::size_t shapes = group.shapes.size();
+    const std::string what = std::visit(
+        [&](const auto& of) {
+            return fmt::format("{} for them, {} bytes a shape", in_words(of), bytes_of(of) / shapes);
+        },
+        group.accelerator);
     explanation.kept.push_back({what, scene.accelerator == AcceleratorChoice::Auto
                                           ? fmt::format("about {:.2g} rays would ask {} shapes each",
                                                         expected_rays(scene, world), shapes)
                                           : "the scene says 'accelerator'"});
 }
 
-std::string why_no_grids(const Scene& scene, const World& world) {
+std::string why_no_accelerator(const Scene& scene, const World& world) {
     if (scene.accelerator == AcceleratorChoice::None) return "the scene says 'accelerator none'";
     if (scene.integrator == Integrator::Rasterize) return "scan conversion traces no rays";
     std::size_t most = 0;
     for (const AnyGroup& any : world.groups)
         std::visit(
-            [&]<class Kind>(const Kind& group) {
-                if (!std::is_same_v<Kind, Planes>) most = std::max(most, group.shapes.size());
+            [&]<class Shape>(const Group<Shape>& group) {
+                if constexpr (requires(const Shape& shape) { bounds_of(shape); })
+                    most = std::max(most, group.shapes.size());
             },
             any);
-    for (const SharedMesh& mesh : world.meshes) most = std::max(most, mesh.triangles.shapes.size());
+    for (const auto& mesh : world.meshes) most = std::max(most, mesh->triangles.shapes.size());
     if (most == 0) return "nothing has an end";
     return fmt::format("at most {} of a kind: to ask them all costs less than to build and walk", most);
 }
@@ -115,18 +96,16 @@ std::string why_no_grids(const Scene& scene, const World& world) {
 void explain_groups(const Scene& scene, const World& world, Explanation& explanation) {
     for (const AnyGroup& any : world.groups)
         std::visit(
-            [&]<class Kind>(const Kind& group) {
-                const auto k = kind(group);
-                explanation.kept.push_back({counted(group.shapes.size(), k.one, k.many), "in one array"});
-                if constexpr (has_grid<Kind>)
-                    explain_grid(scene, world, group.grid, group.shapes.size(), explanation);
+            [&](const auto& group) {
+                explanation.kept.push_back({counted(group), "in one array"});
+                explain_accelerator(scene, world, group, explanation);
             },
             any);
-    for (const SharedMesh& mesh : world.meshes) {
-        const std::size_t shapes = mesh.triangles.shapes.size();
+    for (const auto& mesh : world.meshes) {
+        const std::size_t shapes = mesh->triangles.shapes.size();
         explanation.kept.push_back(
             {counted(shapes, "shared triangle", "shared triangles"), "one mesh that several objects show"});
-        if (!mesh.grid.empty()) explain_grid(scene, world, mesh.grid, shapes, explanation);
+        explain_accelerator(scene, world, mesh->triangles, explanation);
     }
 }
 
@@ -173,18 +152,18 @@ void explain_features(const Scene& scene, const World& world, Explanation& expla
         explanation.left_out.push_back({"random numbers", world.integrator == Integrator::Rasterize
                                                               ? "scan conversion looks at the pixels' centres"
                                                               : "one sample a pixel, at its centre"});
-    if (!needs.grids) explanation.left_out.push_back({"grids", why_no_grids(scene, world)});
+    if (!needs.accelerators) explanation.left_out.push_back({"grids", why_no_accelerator(scene, world)});
 }
 
 std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
     std::vector<std::string> chapters{"01"};
-    for (const AnyGroup& any : world.groups) {
-        chapters.emplace_back(std::visit([](const auto& group) { return kind(group).chapter; }, any));
-        // An ellipsoid is a sphere in its own space; an instance has triangles in a bounding sphere.
-        const std::string_view of = std::visit([](const auto& group) { return kind(group).many; }, any);
-        if (of.starts_with("ellipsoid")) chapters.emplace_back("02");
-        if (of.starts_with("instance")) chapters.insert(chapters.end(), {"02", "03"});
-    }
+    for (const AnyGroup& any : world.groups)
+        std::visit(
+            [&]<class Shape>(const Group<Shape>&) {
+                for (const std::string_view step : words<Shape>.steps)
+                    if (!step.empty()) chapters.emplace_back(step.substr(0, 2));
+            },
+            any);
     for (const Object& object : scene.objects)
         if (object.transform >= 0 && !world.groups.empty()) {
             chapters.emplace_back("04");
@@ -196,8 +175,10 @@ std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
     if (needs.shadows || recursion) chapters.emplace_back("06");
     if (recursion) chapters.emplace_back("07");
     if (needs.samples) chapters.emplace_back("08");
-    // A grid that the scene does not ask for is a matter of time only.
-    if (needs.grids && scene.accelerator != AcceleratorChoice::Auto) chapters.emplace_back("09");
+    // An accelerator that the scene does not ask for is a matter of time only.
+    for (const AcceleratorWord& word : accelerator_words)
+        if (needs.accelerators && word.value == scene.accelerator && !word.chapter.empty())
+            chapters.emplace_back(word.chapter);
     std::sort(chapters.begin(), chapters.end());
     chapters.erase(std::unique(chapters.begin(), chapters.end()), chapters.end());
     return chapters;

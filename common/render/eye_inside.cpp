@@ -13,7 +13,7 @@ namespace {
 /// line out of it crosses the plane. Those are left last.
 void decide_planes(const World& world, std::vector<Medium>& inside) {
     for (const Primitive& primitive : world.primitives) {
-        const auto* planes = std::get_if<Planes>(&world.groups[primitive.group]);
+        const auto* planes = std::get_if<Group<Plane>>(&world.groups[primitive.group]);
         if (!planes || world.materials[primitive.material].transmission == Vec3(0)) continue;
         const Plane& plane = planes->shapes[primitive.index];
         const bool behind = glm::dot(plane.normal, world.view.eye - plane.point) < 0;

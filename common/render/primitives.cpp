@@ -1,9 +1,9 @@
 // The objects of a scene as the primitives of a world.
 #include "common/render/primitives.hpp"
 
-#include "chapters/04_transforms/transform.hpp"
 #include "common/math/input_error.hpp"
 #include "common/render/bodies.hpp"
+#include "common/render/groups.hpp"
 #include "common/scene/parse.hpp"
 #include "common/scene/range.hpp"
 
@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <tuple>
 
 namespace rt {
 namespace {
@@ -104,19 +105,15 @@ Sphere bound_of(const Mesh& mesh) {
     return {center, radius * (1 + 0x1p-20)};
 }
 
-/// Fills a world from a scene's objects, each kind of shape in its own group.
-struct Builder {
-    enum Kind {
-        PlaneKind,
-        SphereKind,
-        FlatKind,
-        SmoothKind,
-        PolygonKind,
-        EllipsoidKind,
-        InstanceKind,
-        kinds
-    };
+template <class>
+struct AllGroups;
+template <class... Shape>
+struct AllGroups<List<Shape...>> {
+    using Tuple = std::tuple<Group<Shape>...>;
+};
 
+/// Fills a world from a scene's objects, each kind of shape in a group of its own.
+struct Builder {
     Builder(const Scene& from, World& to)
         : scene(from),
           world(to),
@@ -138,20 +135,20 @@ struct Builder {
             transform = transform_of(one);
             std::visit([&](const auto& shape) { add(shape); }, one.shape);
         }
-        std::array<std::uint32_t, kinds> group_of{};
-        const auto keep = [&](auto& group, Kind kind) {
-            group_of[kind] = static_cast<std::uint32_t>(world.groups.size());
-            if (!group.shapes.empty()) world.groups.emplace_back(std::move(group));
-        };
-        world.needs.transforms = !ellipsoids.shapes.empty() || !instances.shapes.empty();
-        keep(planes, PlaneKind);
-        keep(spheres, SphereKind);
-        keep(flat, FlatKind);
-        keep(smooth, SmoothKind);
-        keep(polygons, PolygonKind);
-        keep(ellipsoids, EllipsoidKind);
-        keep(instances, InstanceKind);
-        for (Primitive& primitive : world.primitives) primitive.group = group_of[primitive.group];
+        std::apply([&](auto&... group) { (keep(group), ...); }, groups);
+    }
+
+    /// Moves the group into the world, if it has any shapes.
+    template <class Shape>
+    void keep(Group<Shape>& group) {
+        if (!group.shapes.empty()) {
+            if constexpr (requires(const Shape& shape) { shape.transform; }) world.needs.transforms = true;
+            world.groups.emplace_back(std::move(group));
+            place_shapes(world, world.groups.size() - 1);
+        }
+        // Smooth triangles are a group beside that of the flat ones.
+        if constexpr (std::is_same_v<Shape, Triangle>)
+            if (&group != &smooth) keep(smooth);
     }
 
     /// The transform of an object. Each step on the way to it is looked at, so that nothing is lost in the
@@ -232,24 +229,49 @@ struct Builder {
     Vec3 point(const Vec3& p) const { return transform ? transform_point(transform->to_world, p) : p; }
     Vec3 normal(const Vec3& n) const { return transform ? transform_normal(transform->to_local, n) : n; }
 
-    /// Appends a shape to its group, as the next primitive of the file.
-    template <class AnyGroup, class Shape>
-    void append(AnyGroup& group, Kind kind, Shape shape) {
-        const auto place = static_cast<std::uint32_t>(world.primitives.size());
+    /// Appends a shape to a group, as the next primitive of the file.
+    template <class Shape>
+    void append(Group<Shape>& group, Shape shape) {
+        const auto number = static_cast<std::uint32_t>(world.primitives.size());
         const auto own = static_cast<std::uint32_t>(object - scene.objects.data());
         const std::uint32_t body = bodies.empty() ? own : bodies[own];
-        if (body != own) world.faces.push_back({place, own});
-        group.primitive.push_back(place);
-        world.primitives.push_back(
-            {kind, static_cast<std::uint32_t>(group.shapes.size()), object->material, body});
+        if (body != own) world.faces.push_back({number, own});
+        group.primitive.push_back(number);
         group.shapes.push_back(std::move(shape));
+        world.primitives.push_back({.material = object->material, .object = body});
+    }
+    template <class Shape>
+    void append(Shape shape) {
+        append(std::get<Group<Shape>>(groups), std::move(shape));
+    }
+
+    /// A shape that stands in the file as it stands in the world.
+    template <class Shape>
+    void add(const Shape& shape) {
+        if (!transform) return append_checked(shape);
+        if constexpr (requires { transformed(shape, *transform); })
+            if (const std::optional<Shape> moved = transformed(shape, *transform))
+                return append_checked(*moved);
+        append_checked(Placed<Shape>{*transform, shape});
+    }
+
+    /// Refuses a shape whose bounds are out of range.
+    template <class Shape>
+    void append_checked(const Shape& shape) {
+        if constexpr (requires { bounds_of(shape); }) {
+            const auto box = bounds_of(shape);
+            check_place(box.low);
+            check_place(box.high);
+            check_size("sizes", size_of(box.high - box.low));
+        }
+        append(shape);
     }
 
     void add(const Plane& plane) {
         // Of any length in the file; no plane is another by a power of two.
         const Plane baked{point(plane.point), near_one(normal(near_one(plane.normal)))};
         check_place(baked.point);
-        append(planes, PlaneKind, baked);
+        append(baked);
     }
 
     void add(const Sphere& sphere) {
@@ -261,7 +283,7 @@ struct Builder {
             check_place(baked.center);
             check_size("radii", baked.radius);
             check_ball(baked.center, baked.radius, baked.radius, 1);
-            append(spheres, SphereKind, baked);
+            append(baked);
             return;
         }
         // The ellipsoid is the unit sphere's image, so the sphere's own centre and radius join the map.
@@ -270,9 +292,9 @@ struct Builder {
         from_unit[3] = Vec4(sphere.center, 1);
         to_unit[3] = Vec4(-sphere.center / r, 1);
         check_size("radii", r);
-        const Ellipsoid ellipsoid{{transform->to_world * from_unit, to_unit * transform->to_local}};
+        const Ellipsoid ellipsoid{{transform->to_world * from_unit, to_unit * transform->to_local}, {}};
         check_ellipsoid(ellipsoid.transform);
-        append(ellipsoids, EllipsoidKind, ellipsoid);
+        append(ellipsoid);
     }
 
     /// For the map from the unit ball.
@@ -299,9 +321,9 @@ struct Builder {
             const TriangleNormals n = unit_normals(*face.normals);
             smooth.normals.push_back({normal(n.a), normal(n.b), normal(n.c)});
         }
-        Triangles& group = is_smooth ? smooth : flat;
+        Group<Triangle>& group = is_smooth ? smooth : std::get<Group<Triangle>>(groups);
         if (world.needs.uvs) group.uvs.push_back(face.uvs.value_or(weights));
-        append(group, is_smooth ? SmoothKind : FlatKind, baked);
+        append(group, baked);
     }
 
     void add(const TriangleObject& triangle) {
@@ -321,7 +343,7 @@ struct Builder {
         for (const std::uint32_t index : polygon.vertex)
             shape.vertices.push_back(point(scene.vertices[index]));
         check_corners(shape.vertices);
-        append(polygons, PolygonKind, std::move(shape));
+        append(std::move(shape));
     }
 
     void add(const MeshObject& shown) {
@@ -331,14 +353,14 @@ struct Builder {
             for (const auto& corners : mesh.triangles) add(face_of(mesh, corners));
             return;
         }
-        std::optional<std::uint32_t>& index = shared[shown.mesh];
-        if (!index) {
-            index = static_cast<std::uint32_t>(world.meshes.size());
-            world.meshes.push_back(share(mesh));
+        std::shared_ptr<SharedMesh>& one = shared[shown.mesh];
+        if (!one) {
+            one = std::make_shared<SharedMesh>(share(mesh));
+            world.meshes.push_back(one);
         }
-        const Instance instance{transform.value_or(Transform{}), *index};
-        check_instance(instance.transform, world.meshes[*index].bound);
-        append(instances, InstanceKind, instance);
+        const Instance instance{transform.value_or(Transform{}), {one}};
+        check_instance(instance.transform, one->bound);
+        append(instance);
     }
 
     /// A mesh that instances share must be in range in its own space, too, and so its image.
@@ -357,7 +379,7 @@ struct Builder {
 
     SharedMesh share(const Mesh& mesh) const {
         SharedMesh result;
-        Triangles& triangles = result.triangles;
+        Group<Triangle>& triangles = result.triangles;
         for (const auto& corners : mesh.triangles) {
             const Face face = face_of(mesh, corners);
             triangles.shapes.push_back(face.triangle);
@@ -373,25 +395,32 @@ struct Builder {
     const Scene& scene;
     World& world;
     Transforms transforms;
-    std::vector<std::size_t> uses;                     ///< how many objects show each mesh
-    std::vector<std::optional<std::uint32_t>> shared;  ///< where each mesh went, if several do
+    std::vector<std::size_t> uses;                    ///< how many objects show each mesh
+    std::vector<std::shared_ptr<SharedMesh>> shared;  ///< each mesh that several do
 
     std::vector<std::uint32_t> bodies;  ///< as Bodies::of
 
     const Object* object = nullptr;      ///< the one being added,
     std::optional<Transform> transform;  ///< and its transform
 
-    Planes planes;
-    Spheres spheres;
-    Triangles flat;
-    Triangles smooth;
-    Polygons polygons;
-    Ellipsoids ellipsoids;
-    Instances instances;
+    AllGroups<Shapes>::Tuple groups;
+    Group<Triangle> smooth;
 };
 
 }  // namespace
 
 void add_primitives(const Scene& scene, World& world) { Builder(scene, world).add_all(); }
+
+void place_shapes(World& world, std::size_t group) {
+    const auto number = static_cast<std::uint32_t>(group);
+    std::visit(
+        [&](const auto& of) {
+            for (std::uint32_t i = 0; i < of.primitive.size(); ++i) {
+                world.primitives[of.primitive[i]].group = number;
+                world.primitives[of.primitive[i]].index = i;
+            }
+        },
+        world.groups[group]);
+}
 
 }  // namespace rt

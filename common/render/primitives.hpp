@@ -15,4 +15,7 @@ namespace rt {
 /// and of a transparent face without an inside.
 void add_primitives(const Scene& scene, World& world);
 
+/// Writes down in world.primitives that the shapes of world.groups[group] are there.
+void place_shapes(World& world, std::size_t group);
+
 }  // namespace rt

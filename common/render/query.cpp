@@ -1,12 +1,11 @@
-// The questions of common/world/query.hpp, answered by dispatch over the kinds that occur.
+// The questions of common/world/query.hpp, answered by dispatch over the shapes that occur.
 #include "common/world/query.hpp"
 
-#include "common/render/kinds.hpp"
+#include "common/render/groups.hpp"
 #include "common/render/lights.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
 namespace rt {
 namespace {
@@ -18,7 +17,7 @@ namespace {
     for (const AnyGroup& any : world.groups) {
         std::visit(
             [&](const auto& group) {
-                std::optional<Hit> hit = closest_in(world, group, ray, range);
+                std::optional<Hit> hit = closest_in(group, ray, range);
                 if (!hit) return;
                 hit->primitive = group.primitive[hit->primitive];
                 // Hits at exactly range.max are reported too, so here the file's order decides.
@@ -32,7 +31,7 @@ namespace {
 
 [[gnu::noinline]] bool any_of_several(const World& world, const Ray& ray, Interval range) {
     for (const AnyGroup& any : world.groups)
-        if (std::visit([&](const auto& group) { return any_in(world, group, ray, range); }, any)) return true;
+        if (std::visit([&](const auto& group) { return any_in(group, ray, range); }, any)) return true;
     return false;
 }
 
@@ -45,7 +44,7 @@ std::optional<Hit> next_at_once(const World& world, const Ray& ray, const Hit& l
         std::visit(
             [&](const auto& group) {
                 const std::size_t first = hits.size();
-                append_in(world, group, ray, here, hits);
+                append_in(group, ray, here, hits);
                 for (std::size_t i = first; i < hits.size(); ++i)
                     hits[i].primitive = group.primitive[hits[i].primitive];
             },
@@ -65,9 +64,8 @@ std::optional<Hit> next_at_once(const World& world, const Ray& ray, const Hit& l
 
 std::optional<Hit> closest_hit(const World& world, const Ray& ray, Interval range) {
     if (world.groups.size() != 1) return closest_of_several(world, ray, range);
-    // One kind holds all the primitives in the order of the file: its answer is the world's.
-    return std::visit([&](const auto& group) { return closest_in(world, group, ray, range); },
-                      world.groups.front());
+    // One group holds all the primitives in the order of the file: its answer is the world's.
+    return std::visit([&](const auto& group) { return closest_in(group, ray, range); }, world.groups.front());
 }
 
 std::optional<Hit> next_hit(const World& world, const Ray& ray, const Hit& last, Interval range) {
@@ -77,27 +75,17 @@ std::optional<Hit> next_hit(const World& world, const Ray& ray, const Hit& last,
 
 bool occluded(const World& world, const Ray& ray, Interval range) {
     if (world.groups.size() != 1) return any_of_several(world, ray, range);
-    return std::visit([&](const auto& group) { return any_in(world, group, ray, range); },
-                      world.groups.front());
+    return std::visit([&](const auto& group) { return any_in(group, ray, range); }, world.groups.front());
 }
 
 std::optional<Hit> closest_hit(const SharedMesh& mesh, const Ray& local, Interval range) {
-    const std::span<const Triangle> triangles = mesh.triangles.shapes;
-    if (mesh.grid.empty()) return closest_hit(triangles, local, range);
-    return closest_hit(mesh.grid, triangles, local, range, mailbox_of(mesh.grid));
+    if (has_accelerator(mesh.triangles)) return closest_by_accelerator(mesh.triangles, local, range);
+    return closest_hit(std::span<const Triangle>(mesh.triangles.shapes), local, range);
 }
 
 bool occluded(const SharedMesh& mesh, const Ray& local, Interval range) {
-    const std::span<const Triangle> triangles = mesh.triangles.shapes;
-    if (mesh.grid.empty()) return any_hit(triangles, local, range);
-    return any_hit(mesh.grid, triangles, local, range, mailbox_of(mesh.grid));
-}
-
-Mailbox& mailbox_of(const Grid& grid) {
-    // A deque, because a mesh asks for its mailbox while the grid that it stands in uses its own.
-    thread_local std::deque<Mailbox> mailboxes;
-    if (grid.mailbox >= mailboxes.size()) mailboxes.resize(grid.mailbox + 1);
-    return mailboxes[grid.mailbox];
+    if (has_accelerator(mesh.triangles)) return any_by_accelerator(mesh.triangles, local, range);
+    return any_hit(std::span<const Triangle>(mesh.triangles.shapes), local, range);
 }
 
 Surface surface_at(const World& world, const Ray& ray, const Hit& hit) {

@@ -162,36 +162,30 @@ struct Canvas {
     }
 };
 
-void draw(Canvas& canvas, const World&, const Triangles& group) {
+void draw(Canvas& canvas, const Group<Triangle>& group) {
     for (std::size_t i = 0; i < group.shapes.size(); ++i) canvas.draw(group.shapes[i], group.primitive[i]);
 }
 
-void draw(Canvas& canvas, const World& world, const Instances& group) {
+void draw(Canvas& canvas, const Group<Instance>& group) {
     for (std::size_t i = 0; i < group.shapes.size(); ++i) {
         const Instance& instance = group.shapes[i];
         const auto to_world = [&](const Vec3& p) { return Vec3(instance.transform.to_world * Vec4(p, 1)); };
         std::uint32_t element = 0;
-        for (const Triangle& t : world.meshes[instance.mesh].triangles.shapes)
+        for (const Triangle& t : instance.shape.mesh->triangles.shapes)
             canvas.draw({to_world(t.a), to_world(t.b), to_world(t.c)}, group.primitive[i], element++);
     }
 }
 
-template <class Shapes>
-void draw(Canvas&, const World&, const Shapes&) {
+template <class Shape>
+void draw(Canvas&, const Group<Shape>&) {
     throw InputError("scan conversion draws triangles only; this scene has other shapes too");
-}
-
-template <class Kind>
-void draw(Canvas& canvas, const World& world, const Gridded<Kind>& group) {
-    draw(canvas, world, static_cast<const Kind&>(group));
 }
 
 }  // namespace
 
 std::vector<std::optional<Hit>> scan_convert(const World& world) {
     Canvas canvas(world.view);
-    for (const AnyGroup& any : world.groups)
-        std::visit([&](const auto& group) { draw(canvas, world, group); }, any);
+    for (const AnyGroup& any : world.groups) std::visit([&](const auto& group) { draw(canvas, group); }, any);
     return canvas.hits();
 }
 

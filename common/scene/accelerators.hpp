@@ -13,15 +13,18 @@ struct AcceleratorWord {
     std::string_view name;
     AcceleratorChoice value;
     std::string_view meaning;
+    std::string_view chapter;  ///< whose code it runs; empty where it may do without
 };
 
 inline constexpr AcceleratorWord accelerator_words[] = {
     {"auto", AcceleratorChoice::Auto,
      "(default) whichever of the others is found cheapest by samples and counts, around all shapes of a kind "
-     "but at most 64 that are far out or huge"},
-    {"none", AcceleratorChoice::None, "nothing"},
-    {"grid", AcceleratorChoice::Grid, "one uniform grid over each kind of shape and each shared mesh"},
-    {"nested", AcceleratorChoice::Nested, "the same, and crowded cells have grids of their own"},
+     "but at most 64 that are far out or huge",
+     ""},
+    {"none", AcceleratorChoice::None, "nothing", ""},
+    {"grid", AcceleratorChoice::Grid, "one uniform grid over each kind of shape and each shared mesh",
+     "09"},
+    {"nested", AcceleratorChoice::Nested, "the same, and crowded cells have grids of their own", "09"},
 };
 
 }  // namespace rt

@@ -2,18 +2,12 @@
 // it.
 #pragma once
 
-#include "common/math/vec.hpp"
+#include "common/world/bounds.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace rt {
-
-/// An axis-aligned box, its faces included. The default is empty: it changes nothing it is merged with.
-struct Bounds {
-    Vec3 low{infinity};
-    Vec3 high{-infinity};
-};
 
 /// Number of cells along each axis, or the place of one cell.
 using Cells = glm::vec<3, std::int32_t, glm::defaultp>;
@@ -40,17 +34,6 @@ struct Grid {
     /// Rays whose origin is farther from the box's middle than this along some axis ask every shape: their
     /// rounding errors are greater than the margin by which shapes are entered into neighbouring cells.
     Real reach = 0;
-    /// Which mailbox of a thread belongs to this grid; the same for inner grids. Unique in a World.
-    std::uint32_t mailbox = 0;
-
-    /// Whether there is no grid at all.
-    bool empty() const { return first.empty(); }
-};
-
-/// Which ray asked a shape last, so that a ray asks no shape twice (Arnaldi, Priol & Bouatouch 1987).
-struct Mailbox {
-    std::uint32_t ray = 0;                ///< the number of the ray that is on its way
-    std::vector<std::uint32_t> asked_by;  ///< for each shape the number of the last ray that asked it
 };
 
 }  // namespace rt

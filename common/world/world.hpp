@@ -1,33 +1,18 @@
-// What the renderer reads: only what this scene needs, each kind of primitive in one array.
+// What the renderer reads: only what this scene needs, each kind of shape in one array.
 #pragma once
 
-#include "common/world/grid.hpp"
-#include "common/world/hit.hpp"
 #include "common/scene/sampling.hpp"
+#include "common/world/accelerators.hpp"
+#include "common/world/hit.hpp"
+#include "common/world/shapes.hpp"
 #include "common/world/view.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <variant>
 #include <vector>
 
 namespace rt {
-
-/// A map of space and its inverse; both affine.
-struct Transform {
-    Mat4 to_world{1};
-    Mat4 to_local{1};
-};
-
-/// The unit sphere around the origin, under a transform.
-struct Ellipsoid {
-    Transform transform;
-};
-
-/// One use of a mesh that several objects share; an index into World::meshes.
-struct Instance {
-    Transform transform;
-    std::uint32_t mesh = 0;
-};
 
 /// The normals of a smooth triangle at its corners a, b, c: unit vectors in the space of the file, then
 /// mapped to the triangle's. Those of a stretched triangle are no unit vectors, so that they weigh as in the
@@ -45,46 +30,45 @@ struct TriangleUvs {
     Vec2 c{0};
 };
 
-/// The shapes of one kind, and for each its place in the order of the file.
+/// What a group keeps of its shapes beside their numbers.
 template <class Shape>
-struct Group {
-    std::vector<Shape> shapes;
-    std::vector<std::uint32_t> primitive;  ///< index into World::primitives; ascending
-};
+struct Extras {};
 
-using Planes = Group<Plane>;
-using Spheres = Group<Sphere>;
-using Polygons = Group<Polygon>;
-using Ellipsoids = Group<Ellipsoid>;
-using Instances = Group<Instance>;
-
-/// Triangles; `normals` and `uvs` are empty where no triangle of the group has them, else one a triangle.
-struct Triangles : Group<Triangle> {
+/// `normals` and `uvs` are empty where no triangle of the group has them, else one a triangle.
+template <>
+struct Extras<Triangle> {
     std::vector<TriangleNormals> normals;
     std::vector<TriangleUvs> uvs;
 };
 
-/// A group with a grid over its shapes.
-template <class Kind>
-struct Gridded : Kind {
-    Grid grid;
+/// The shapes of one kind, for each its place in the order of the file, and an accelerator over them.
+template <class Shape>
+struct Group : Extras<Shape> {
+    std::vector<Shape> shapes;
+    std::vector<std::uint32_t> primitive;  ///< index into World::primitives; ascending. A mesh has none
+    Accelerator accelerator;               ///< Nothing where asking them all is cheaper
+    std::uint32_t mailbox = 0;             ///< which one of a thread is the accelerator's; unique in a World
 };
 
-template <class Group>
-inline constexpr bool has_grid = false;
-template <class Kind>
-inline constexpr bool has_grid<Gridded<Kind>> = true;
+template <class Shape>
+bool has_accelerator(const Group<Shape>& group) {
+    return group.accelerator.index() != 0;
+}
 
-// To add a kind of primitive: its struct in shapes.hpp, an alternative here, and overloads of
-// closest_hit, any_hit and surface_at in its chapter's contract. Planes have no end, so no grid holds them.
-using AnyGroup = std::variant<Planes, Spheres, Triangles, Polygons, Ellipsoids, Instances, Gridded<Spheres>,
-                              Gridded<Triangles>, Gridded<Polygons>, Gridded<Ellipsoids>, Gridded<Instances>>;
+template <class>
+struct GroupsOf;
+template <class... Shape>
+struct GroupsOf<List<Shape...>> {
+    using Any = std::variant<Group<Shape>...>;
+};
+
+/// A group of any of the shapes.
+using AnyGroup = GroupsOf<Shapes>::Any;
 
 /// The triangles of a mesh that instances share, in the mesh's own space, with a sphere around them.
 struct SharedMesh {
-    Triangles triangles;
+    Group<Triangle> triangles;
     Sphere bound;
-    Grid grid;  ///< without cells where asking all the triangles is cheaper
 };
 
 /// Where a primitive of the file went.
@@ -127,7 +111,7 @@ struct Needs {
     bool reflection = false;       ///< some material mirrors
     bool refraction = false;       ///< some material transmits
     bool absorption = false;       ///< some material absorbs inside
-    bool grids = false;            ///< some group or mesh has a grid
+    bool accelerators = false;     ///< some group or mesh has one
     bool samples = false;          ///< pixels have more than one sample, or share samples by a wide filter
 };
 
@@ -146,7 +130,7 @@ struct World {
     std::vector<Pattern> patterns;      ///< one a material; empty where no material has a pattern
     std::vector<PointLight> point_lights;
     std::vector<DirectionalLight> directional_lights;  ///< directions are unit vectors
-    std::vector<SharedMesh> meshes;
+    std::vector<std::shared_ptr<SharedMesh>> meshes;
     std::vector<Medium> eye_inside;     ///< transparent objects around the eye, outermost first
     std::vector<BodyFace> faces;        ///< of bodies that are made of several objects, but for the first of
                                         ///< each; ascending primitives

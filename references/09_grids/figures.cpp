@@ -336,16 +336,17 @@ void draw_heat_scale(const Path& directory) {
 std::vector<Triangle> triangles_of(const World& world) {
     for (const AnyGroup& group : world.groups) {
         if (const auto* plain = std::get_if<Triangles>(&group)) return plain->shapes;
-        if (const auto* gridded = std::get_if<Gridded<Triangles>>(&group)) return gridded->shapes;
+        if (const auto* gridded = std::get_if<Group<Triangle>>(&group)) return gridded->shapes;
     }
     return {};
 }
 
 /// What one ray costs.
-WalkCounts cost(const Grid& grid, const std::vector<Triangle>& triangles, const Ray& ray, Mailbox& mailbox) {
-    const WalkCounts before = walk_counts();
+SearchCounts cost(const Grid& grid, const std::vector<Triangle>& triangles, const Ray& ray,
+                  Mailbox& mailbox) {
+    const SearchCounts before = search_counts();
     closest_hit(grid, triangles, ray, {0, infinity}, mailbox);
-    const WalkCounts after = walk_counts();
+    const SearchCounts after = search_counts();
     return {after.cells - before.cells, after.shapes - before.shapes};
 }
 
@@ -417,10 +418,10 @@ void draw_stadium(const Path& directory) {
         cuts.push_back(cut(grid));
         Image shapes = make_image(width, height), cells = shapes;
         Mailbox mailbox;
-        WalkCounts sum, most;
+        SearchCounts sum, most;
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
-                const WalkCounts one =
+                const SearchCounts one =
                     cost(grid, triangles, pixel_ray(world.view, x + 0.5, y + 0.5), mailbox);
                 pixel(shapes, x, y) = heat(static_cast<Real>(one.shapes));
                 pixel(cells, x, y) = heat(static_cast<Real>(one.cells));
@@ -540,10 +541,10 @@ void draw_growth(const Path& directory) {
         Grid grid;
         const double build_seconds = seconds_of([&] { grid = build_grid(triangles, {.nested = false}); });
         Mailbox mailbox;
-        WalkCounts sum;
+        SearchCounts sum;
         std::uint64_t entries = 0;
         for (const Ray& ray : rays) {
-            const WalkCounts one = cost(grid, triangles, ray, mailbox);
+            const SearchCounts one = cost(grid, triangles, ray, mailbox);
             sum.cells += one.cells, sum.shapes += one.shapes;
             entries += entries_met(grid, triangles, ray, mailbox);
         }
@@ -620,9 +621,9 @@ void draw_density(const Path& directory) {
         const double build =
             seconds_of([&] { grid = build_grid(triangles, {.density = density, .nested = false}); });
         Mailbox mailbox;
-        WalkCounts sum;
+        SearchCounts sum;
         for (const Ray& ray : rays) {
-            const WalkCounts one = cost(grid, triangles, ray, mailbox);
+            const SearchCounts one = cost(grid, triangles, ray, mailbox);
             sum.cells += one.cells, sum.shapes += one.shapes;
         }
         const double seconds = seconds_of([&] {

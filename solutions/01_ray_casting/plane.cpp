@@ -50,11 +50,4 @@ std::optional<Hit> closest_hit(std::span<const Plane> planes, const Ray& ray, In
     // [/exercise]
 }
 
-bool any_hit(std::span<const Plane> planes, const Ray& ray, Interval range) {
-    for (const Plane& plane : planes) {
-        if (intersect(plane, ray, range)) return true;
-    }
-    return false;
-}
-
 }  // namespace rt

@@ -31,63 +31,28 @@ Surface surface_at(const Ellipsoid& ellipsoid, const Ray& ray, const Hit& hit) {
     // [/exercise]
 }
 
-std::optional<Hit> closest_hit(std::span<const Ellipsoid> ellipsoids, const Ray& ray, Interval range) {
-    std::optional<Hit> best;
-    for (std::size_t i = 0; i < ellipsoids.size(); ++i) {
-        std::optional<Hit> hit = intersect(ellipsoids[i], ray, range);
-        if (!hit || (best && hit->t >= best->t)) continue;
-        hit->primitive = static_cast<std::uint32_t>(i);
-        best = hit;
-        range.max = hit->t;
-    }
-    return best;
-}
-
-bool any_hit(std::span<const Ellipsoid> ellipsoids, const Ray& ray, Interval range) {
-    for (const Ellipsoid& ellipsoid : ellipsoids)
-        if (intersect(ellipsoid, ray, range)) return true;
-    return false;
-}
-
-std::optional<Hit> closest_hit(std::span<const Instance> instances, std::span<const SharedMesh> meshes,
-                               const Ray& ray, Interval range) {
-    // [exercise 04.6] For each instance: take the ray to its local space. If it misses the mesh's bounding
-    // sphere (the function `misses` above says so), go on to the next. Else ask for the closest hit with
-    // the mesh, closest_hit(mesh, local, range): its `primitive` is the triangle, which belongs into
-    // `element`; `primitive` becomes the instance's index. Keep the nearest, the first of equal ones.
-    std::optional<Hit> best;
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        const SharedMesh& mesh = meshes[instances[i].mesh];
-        const Ray local = to_local(instances[i].transform, ray);
-        if (misses(mesh.bound, local, range)) continue;
-        std::optional<Hit> hit = closest_hit(mesh, local, range);
-        if (!hit || (best && hit->t >= best->t)) continue;
-        hit->element = hit->primitive;
-        hit->primitive = static_cast<std::uint32_t>(i);
-        best = hit;
-        range.max = hit->t;
-    }
-    return best;
+std::optional<Hit> intersect(const MeshUse& shown, const Ray& local, Interval range) {
+    // [exercise 04.6] If the ray misses the mesh's bounding sphere (the function `misses` above says so),
+    // there is nothing to ask. Else ask for the closest hit with the mesh, closest_hit(*shown.mesh, local,
+    // range): its `primitive` is the triangle, which belongs into `element`.
+    if (misses(shown.mesh->bound, local, range)) return std::nullopt;
+    std::optional<Hit> hit = closest_hit(*shown.mesh, local, range);
+    if (hit) hit->element = hit->primitive;
+    return hit;
     // [/exercise]
 }
 
-bool any_hit(std::span<const Instance> instances, std::span<const SharedMesh> meshes, const Ray& ray,
-             Interval range) {
-    for (const Instance& instance : instances) {
-        const SharedMesh& mesh = meshes[instance.mesh];
-        const Ray local = to_local(instance.transform, ray);
-        if (!misses(mesh.bound, local, range) && occluded(mesh, local, range)) return true;
-    }
-    return false;
+bool is_hit(const MeshUse& shown, const Ray& local, Interval range) {
+    return !misses(shown.mesh->bound, local, range) && occluded(*shown.mesh, local, range);
 }
 
-Surface surface_at(const Instance& instance, const SharedMesh& mesh, const Ray& ray, const Hit& hit) {
-    const Triangles& triangles = mesh.triangles;
-    Surface local = surface_at(triangles.shapes[hit.element], to_local(instance.transform, ray), hit);
+Surface surface_at(const MeshUse& shown, const Ray& local, const Hit& hit) {
+    const Group<Triangle>& triangles = shown.mesh->triangles;
+    Surface surface = surface_at(triangles.shapes[hit.element], local, hit);
     if (!triangles.normals.empty())
-        local.shading_normal = interpolate(triangles.normals[hit.element], hit.uv, local.normal);
-    if (!triangles.uvs.empty()) local.uv = interpolate(triangles.uvs[hit.element], hit.uv);
-    return to_world(instance.transform, local);
+        surface.shading_normal = interpolate(triangles.normals[hit.element], hit.uv, surface.normal);
+    if (!triangles.uvs.empty()) surface.uv = interpolate(triangles.uvs[hit.element], hit.uv);
+    return surface;
 }
 
 }  // namespace rt

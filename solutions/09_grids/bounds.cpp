@@ -3,6 +3,7 @@
 
 #include "chapters/04_transforms/transform.hpp"
 #include "common/math/error.hpp"
+#include "common/world/world.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,8 +49,19 @@ Bounds bounds_of(const Ellipsoid& ellipsoid) {
     return bounds_of_image(ellipsoid.transform.to_world, {Vec3(0), 1});
 }
 
-Bounds bounds_of(const Instance& instance, const SharedMesh& mesh) {
-    return bounds_of_image(instance.transform.to_world, mesh.bound);
+Bounds bounds_of(const Instance& instance) {
+    return bounds_of_image(instance.transform.to_world, instance.shape.mesh->bound);
+}
+
+Bounds bounds_of_image(const Transform& transform, const Bounds& box) {
+    Bounds image;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 p(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
+                     corner & 4 ? box.high.z : box.low.z);
+        const Vec3 q = transform_point(transform.to_world, p);
+        image = merge(image, {q, q});
+    }
+    return image;
 }
 
 Real distortion_of(const Transform& transform) {

@@ -179,22 +179,6 @@ std::size_t refine(const Task& task, Grid& grid, int depth) {
     return grid.grids.size();
 }
 
-/// The grid over shapes of one kind.
-template <class Shape>
-Grid grid_over(std::span<const Shape> shapes, const GridOptions& options) {
-    std::vector<Bounds> bounds;
-    bounds.reserve(shapes.size());
-    for (const Shape& shape : shapes) bounds.push_back(bounds_of(shape));
-    return build_grid(
-        bounds, [&](std::uint32_t i, const Bounds& box) { return overlaps(shapes[i], box); }, options);
-}
-
-/// The grid over shapes of which only the bounds are known.
-Grid grid_over_bounds(std::span<const Bounds> bounds, const GridOptions& options) {
-    return build_grid(
-        bounds, [&](std::uint32_t i, const Bounds& box) { return overlaps(bounds[i], box); }, options);
-}
-
 }  // namespace
 
 Cells grid_resolution(const Bounds& box, std::size_t count, Real density, int most) {
@@ -308,44 +292,25 @@ Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const 
     return std::move(*grid);
 }
 
-Grid build_grid(std::span<const Sphere> shapes, const GridOptions& options) {
-    return grid_over(shapes, options);
-}
-
-Grid build_grid(std::span<const Triangle> shapes, const GridOptions& options) {
-    return grid_over(shapes, options);
-}
-
-Grid build_grid(std::span<const Polygon> shapes, const GridOptions& options) {
-    std::vector<Bounds> bounds;
-    for (const Polygon& shape : shapes) bounds.push_back(bounds_of(shape));
-    return grid_over_bounds(bounds, options);
-}
-
-Grid build_grid(std::span<const Ellipsoid> shapes, GridOptions options) {
-    std::vector<Bounds> bounds;
-    for (const Ellipsoid& shape : shapes) {
-        bounds.push_back(bounds_of(shape));
-        options.distortion = std::max(options.distortion, distortion_of(shape.transform));
-    }
-    return grid_over_bounds(bounds, options);
-}
-
-Grid build_grid(std::span<const Instance> shapes, std::span<const SharedMesh> meshes, GridOptions options) {
-    std::vector<Bounds> bounds;
-    for (const Instance& shape : shapes) {
-        bounds.push_back(bounds_of(shape, meshes[shape.mesh]));
-        options.distortion = std::max(options.distortion, distortion_of(shape.transform));
-    }
-    return grid_over_bounds(bounds, options);
-}
-
 std::size_t bytes_of(const Grid& grid) {
     std::size_t bytes =
         sizeof(Grid) +
         sizeof(std::uint32_t) * (grid.first.capacity() + grid.items.capacity() + grid.inner.capacity());
     for (const Grid& inner : grid.grids) bytes += bytes_of(inner);
     return bytes;
+}
+
+std::string in_words(const Grid& grid) {
+    const auto grids_in = [](const auto& self, const Grid& outer) -> std::size_t {
+        std::size_t sum = outer.grids.size();
+        for (const Grid& inner : outer.grids) sum += self(self, inner);
+        return sum;
+    };
+    const Cells& cells = grid.shape.cells;
+    std::string text = "grid of " + std::to_string(cells.x) + " × " + std::to_string(cells.y) + " × " +
+                       std::to_string(cells.z) + " cells";
+    if (!grid.grids.empty()) text += " and " + std::to_string(grids_in(grids_in, grid)) + " grids in it";
+    return text;
 }
 
 }  // namespace rt

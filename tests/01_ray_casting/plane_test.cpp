@@ -1,5 +1,6 @@
 // Steps 01.4 and 01.5: one plane, and the nearest of several.
 #include "chapters/01_ray_casting/plane.hpp"
+#include "common/world/search.hpp"
 
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"

@@ -17,7 +17,7 @@ World walls(int count) {
     World world;
     world.background = {0.5, 0.625, 0.75};
     world.integrator = Integrator::Flat;
-    Planes planes;
+    Group<Plane> planes;
     for (int k = 0; k < count; ++k) {
         const auto index = static_cast<std::uint32_t>(k);
         planes.shapes.push_back({{0, 0, -1.0 - k}, {0, 0, 1}});

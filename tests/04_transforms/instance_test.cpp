@@ -26,7 +26,11 @@ Transform transform(const Mat4& m) {
     return {m, *back};
 }
 
-Ellipsoid ellipsoid(const Mat4& m) { return {transform(m)}; }
+Ellipsoid ellipsoid(const Mat4& m) { return {transform(m), unit_sphere}; }
+
+MeshUse use_of(const SharedMesh& mesh) { return {std::make_shared<const SharedMesh>(mesh)}; }
+
+Instance instance_of(const Mat4& m, const SharedMesh& mesh) { return {transform(m), use_of(mesh)}; }
 
 /// Turned, stretched and slanted; reflected every second time.
 Mat4 some_map(Random& random) {
@@ -218,62 +222,56 @@ void check_hit(const std::optional<Hit>& hit, Real t, std::uint32_t primitive, s
 }  // namespace
 
 TEST_CASE("where there are no instances nothing is hit", "[04.6]") {
-    const std::vector<SharedMesh> meshes{one_triangle()};
-    CHECK_FALSE(closest_hit(std::span<const Instance>{}, meshes, {{0, 0, 5}, {0, 0, -1}}, ahead).has_value());
+    CHECK_FALSE(closest_hit(std::span<const Instance>(), {{0, 0, 5}, {0, 0, -1}}, ahead).has_value());
 }
 
 TEST_CASE("an instance is hit where its mesh was moved to", "[04.6]") {
-    const std::vector<SharedMesh> meshes{one_triangle()};
-    const std::vector<Instance> instances{{transform(translation({0, 0, -4})), 0},
-                                          {transform(translation({8, 0, 2})), 0}};
-    check_hit(closest_hit(instances, meshes, {{0, 0, 5}, {0, 0, -1}}, ahead), 9, 0, 0);
-    check_hit(closest_hit(instances, meshes, {{8, 0, 5}, {0, 0, -1}}, ahead), 3, 1, 0);
-    CHECK_FALSE(closest_hit(instances, meshes, {{4, 0, 5}, {0, 0, -1}}, ahead).has_value());
+    const std::vector<Instance> instances{instance_of(translation({0, 0, -4}), one_triangle()),
+                                          instance_of(translation({8, 0, 2}), one_triangle())};
+    check_hit(closest_hit(instances, {{0, 0, 5}, {0, 0, -1}}, ahead), 9, 0, 0);
+    check_hit(closest_hit(instances, {{8, 0, 5}, {0, 0, -1}}, ahead), 3, 1, 0);
+    CHECK_FALSE(closest_hit(instances, {{4, 0, 5}, {0, 0, -1}}, ahead).has_value());
 }
 
 TEST_CASE("the nearest instance wins wherever it stands in the list, and of equals the first", "[04.6]") {
-    const std::vector<SharedMesh> meshes{one_triangle()};
-    const Instance near{transform(translation({0, 0, 2})), 0}, far{transform(translation({0, 0, -2})), 0};
+    const Instance near = instance_of(translation({0, 0, 2}), one_triangle());
+    const Instance far = instance_of(translation({0, 0, -2}), one_triangle());
     const Ray ray{{0, 0, 5}, {0, 0, -1}};
-    check_hit(closest_hit(std::vector{near, far}, meshes, ray, ahead), 3, 0, 0);
-    check_hit(closest_hit(std::vector{far, near}, meshes, ray, ahead), 3, 1, 0);
-    check_hit(closest_hit(std::vector{far, near, near}, meshes, ray, ahead), 3, 1, 0);
+    check_hit(closest_hit(std::vector{near, far}, ray, ahead), 3, 0, 0);
+    check_hit(closest_hit(std::vector{far, near}, ray, ahead), 3, 1, 0);
+    check_hit(closest_hit(std::vector{far, near, near}, ray, ahead), 3, 1, 0);
 }
 
 TEST_CASE("element says which triangle of the mesh", "[04.6]") {
     SharedMesh mesh;
     mesh.triangles.shapes = {{{-1, -1, -3}, {1, -1, -3}, {0, 1, -3}}, upright};
     mesh.bound = {Vec3(0), 4};
-    const std::vector<SharedMesh> meshes{one_triangle(), mesh};
-    const std::vector<Instance> instances{{transform(translation({50, 0, 0})), 0},
-                                          {transform(scaling({1, 1, 2})), 1}};
-    check_hit(closest_hit(instances, meshes, {{0, 0, 5}, {0, 0, -1}}, ahead), 5, 1, 1);
-    check_hit(closest_hit(instances, meshes, {{0, 0, -15}, {0, 0, 2}}, ahead), 4.5, 1, 0);
+    const std::vector<Instance> instances{instance_of(translation({50, 0, 0}), one_triangle()),
+                                          instance_of(scaling({1, 1, 2}), mesh)};
+    check_hit(closest_hit(instances, {{0, 0, 5}, {0, 0, -1}}, ahead), 5, 1, 1);
+    check_hit(closest_hit(instances, {{0, 0, -15}, {0, 0, 2}}, ahead), 4.5, 1, 0);
 }
 
 TEST_CASE("a mesh outside of its bounding sphere is not looked at", "[04.6]") {
     SharedMesh mesh = one_triangle();
     mesh.bound = {{10, 0, 0}, 1};
-    const std::vector<SharedMesh> meshes{mesh};
-    const std::vector<Instance> instances{{transform(translation({0, 0, -4})), 0}};
-    CHECK_FALSE(closest_hit(instances, meshes, {{0, 0, 5}, {0, 0, -1}}, ahead).has_value());
+    const std::vector<Instance> instances{instance_of(translation({0, 0, -4}), mesh)};
+    CHECK_FALSE(closest_hit(instances, {{0, 0, 5}, {0, 0, -1}}, ahead).has_value());
 }
 
 TEST_CASE("from inside of the bounding sphere the mesh is hit", "[04.6]") {
-    const std::vector<SharedMesh> meshes{one_triangle()};
-    const std::vector<Instance> instances{{transform(scaling({1, 1, 1})), 0}};
-    check_hit(closest_hit(instances, meshes, {{0, 0, 0.5}, {0, 0, -1}}, ahead), 0.5, 0, 0);
+    const std::vector<Instance> instances{instance_of(Mat4(1), one_triangle())};
+    check_hit(closest_hit(instances, {{0, 0, 0.5}, {0, 0, -1}}, ahead), 0.5, 0, 0);
 }
 
 TEST_CASE("the range decides: its start is excluded and its end included", "[04.6]") {
-    const std::vector<SharedMesh> meshes{one_triangle()};
-    const std::vector<Instance> instances{{transform(scaling({1, 1, 1})), 0}};
+    const std::vector<Instance> instances{instance_of(Mat4(1), one_triangle())};
     const Ray ray{{0, 0, 5}, {0, 0, -1}};
-    CHECK(closest_hit(instances, meshes, ray, {0, 5}).has_value());
-    CHECK_FALSE(closest_hit(instances, meshes, ray, {0, 4.5}).has_value());
-    CHECK_FALSE(closest_hit(instances, meshes, ray, {5, infinity}).has_value());
-    CHECK(any_hit(instances, meshes, ray, {0, 5}));
-    CHECK_FALSE(any_hit(instances, meshes, ray, {0, 4.5}));
+    CHECK(closest_hit(instances, ray, {0, 5}).has_value());
+    CHECK_FALSE(closest_hit(instances, ray, {0, 4.5}).has_value());
+    CHECK_FALSE(closest_hit(instances, ray, {5, infinity}).has_value());
+    CHECK(any_hit(instances, ray, {0, 5}));
+    CHECK_FALSE(any_hit(instances, ray, {0, 4.5}));
 }
 
 namespace {
@@ -300,10 +298,10 @@ TEST_CASE("an instance is hit where the mesh baked into the world is, by exact a
         SharedMesh mesh = some_mesh(random);
         for (Triangle& face : mesh.triangles.shapes)
             for (Vec3* corner : {&face.a, &face.b, &face.c}) *corner = glm::round(*corner * 16.0) / 16.0;
-        const Instance instance{{m, *back}, 0};
+        const Instance instance{{m, *back}, use_of(mesh)};
         const Ray ray = towards(random, m);
-        const std::optional<Hit> hit = closest_hit({&instance, 1}, {&mesh, 1}, ray, ahead);
-        CHECK(any_hit({&instance, 1}, {&mesh, 1}, ray, ahead) == hit.has_value());
+        const std::optional<Hit> hit = intersect(instance, ray, ahead);
+        CHECK(is_hit(instance, ray, ahead) == hit.has_value());
 
         // What rounding, or moving the data by 4 ulp, does in local space, as tests/stability/transforms.hpp
         // says.
@@ -359,12 +357,12 @@ TEST_CASE("the surface of an instance is that of the baked mesh, smooth or flat,
         SharedMesh mesh = some_mesh(random);
         if (i % 2 == 0) mesh.triangles.normals.clear();
         const Mat4 m = some_map(random);
-        const Instance instance{transform(m), 0};
+        const Instance instance = instance_of(m, mesh);
         const Ray ray = towards(random, m);
-        const std::optional<Hit> hit = closest_hit({&instance, 1}, {&mesh, 1}, ray, ahead);
+        const std::optional<Hit> hit = intersect(instance, ray, ahead);
         if (!hit) continue;
         ++hits;
-        const Surface surface = surface_at(instance, mesh, ray, *hit);
+        const Surface surface = surface_at(instance, ray, *hit);
         const Triangle face = baked(mesh.triangles.shapes[hit->element], m);
         const Vec3 flat = (glm::determinant(Mat3(m)) < 0 ? -1.0 : 1.0) * unit_normal(face);
         const Vec3 point = (1 - hit->uv.x - hit->uv.y) * face.a + hit->uv.x * face.b + hit->uv.y * face.c;
@@ -390,11 +388,11 @@ TEST_CASE("a ray that starts outside of an instance's error box does not meet it
     for (int i = 0; i < cases(20000); ++i) {
         const SharedMesh mesh = some_mesh(random);
         const Mat4 m = some_map(random);
-        const Instance instance{transform(m), 0};
+        const Instance instance = instance_of(m, mesh);
         const Ray ray = towards(random, m);
-        const std::optional<Hit> hit = closest_hit({&instance, 1}, {&mesh, 1}, ray, ahead);
+        const std::optional<Hit> hit = intersect(instance, ray, ahead);
         if (!hit) continue;
-        const Surface surface = surface_at(instance, mesh, ray, *hit);
+        const Surface surface = surface_at(instance, ray, *hit);
         const Vec3& n = surface.normal;
         const Real step = dot(abs(n), surface.error) * (1 + gamma(8));
         const Vec3 direction = random.direction();
@@ -402,7 +400,7 @@ TEST_CASE("a ray that starts outside of an instance's error box does not meet it
         ++tried;
         INFO(show(m) << "\npoint " << show(surface.point) << ", direction " << show(direction));
         // The mesh is convex and the ray goes outward: nothing is in its way.
-        CHECK_FALSE(any_hit({&instance, 1}, {&mesh, 1}, {surface.point + step * n, direction}, ahead));
+        CHECK_FALSE(is_hit(instance, {surface.point + step * n, direction}, ahead));
     }
     CHECK(tried > cases(20000) / 16);
 }

@@ -112,7 +112,7 @@ TEST_CASE("an instance's box holds its triangles", "[09.1]") {
         SharedMesh mesh;
         mesh.bound = {random.in_cube(), random.uniform(0.1, 1)};
         const Ellipsoid map = ellipsoid_under(some_map(random));
-        const Bounds box = bounds_of(Instance{map.transform, 0}, mesh);
+        const Bounds box = bounds_of(Instance{map.transform, {std::make_shared<const SharedMesh>(mesh)}});
         const Vec3 corner = mesh.bound.center + mesh.bound.radius * random.direction();
         CHECK(contains_point(grown_by_rounding(box), transform_point(map.transform.to_world, corner)));
     }

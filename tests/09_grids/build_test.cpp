@@ -398,7 +398,7 @@ TEST_CASE("maps that rounding distorts widen the margin", "[09.5]") {
     const Mat4 slanted = scaling({1e4, 1, 1}) * rotation({0, 0, 1}, pi / 4);
     CHECK(distortion_of(transform_of(slanted)) == Approx(1e4).epsilon(0.01));
 
-    const std::vector<Ellipsoid> ellipsoids(2, {transform_of(slanted)});
+    const std::vector<Ellipsoid> ellipsoids(2, {transform_of(slanted), {}});
     const Grid grid = build_grid(std::span<const Ellipsoid>(ellipsoids), {});
     const Bounds box = bounds_of(ellipsoids[0]);
     CHECK(grid.shape.box.high.x - box.high.x == Approx(1e4 * margin_for(box)).epsilon(0.01));

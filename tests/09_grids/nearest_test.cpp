@@ -1,4 +1,4 @@
-// The nearest hit and any hit by a grid: the same as by asking all, with few questions.
+// What is found by a grid, the nearest hit or any: the same as by asking all, with few questions.
 #include "chapters/02_spheres/sphere.hpp"
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/04_transforms/instance.hpp"
@@ -31,10 +31,10 @@ std::optional<Hit> nearest(const Grid& grid, const std::vector<Shape>& shapes, c
 
 /// What is counted while `action` runs.
 template <class Action>
-WalkCounts counted(const Action& action) {
-    const WalkCounts before = walk_counts();
+SearchCounts counted(const Action& action) {
+    const SearchCounts before = search_counts();
     action();
-    return {walk_counts().cells - before.cells, walk_counts().shapes - before.shapes};
+    return {search_counts().cells - before.cells, search_counts().shapes - before.shapes};
 }
 
 /// How many shapes the mailbox's last ray asked.
@@ -158,12 +158,12 @@ TEST_CASE("no shape is asked twice, and none behind the hit", "[09.7]") {
     std::vector<Triangle> triangles;
     for (int k = 0; k < 200; ++k)  // long ones, each in many cells
         triangles.push_back({random.in_cube(), random.in_cube(), random.in_cube()});
-    const Grid grid = grid_of(triangles);
+    const Grid grid = grid_of(triangles, {.nested = false});
     Mailbox mailbox;
     for (int k = 0; k < cases(500); ++k) {
         const Ray ray{3.0 * random.direction(), random.in_cube() - 2.0 * random.direction()};
         std::optional<Hit> hit;
-        const WalkCounts counts = counted([&] { hit = closest_hit(grid, triangles, ray, {}, mailbox); });
+        const SearchCounts counts = counted([&] { hit = closest_hit(grid, triangles, ray, {}, mailbox); });
         CAPTURE(k, counts.cells, counts.shapes);
         CHECK(counts.shapes == marked(mailbox));
         CHECK(counts.shapes <= triangles.size());
@@ -174,11 +174,13 @@ TEST_CASE("no shape is asked twice, and none behind the hit", "[09.7]") {
     const std::vector<Sphere> spheres = row_of_spheres(100);
     const Grid row = grid_of(spheres);
     Mailbox of_row;
-    const WalkCounts first = counted([&] { closest_hit(row, spheres, {{-5, 0, 0}, {1, 0, 0}}, {}, of_row); });
+    const SearchCounts first = counted([&] {
+        closest_hit(row, spheres, {{-5, 0, 0}, {1, 0, 0}}, {}, of_row);
+    });
     INFO("the ray hits the first of 100 spheres, and asked " << first.shapes);
     CHECK(first.shapes <= 2);
     CHECK(first.cells <= 4);
-    const WalkCounts none = counted([&] {
+    const SearchCounts none = counted([&] {
         closest_hit(row, spheres, {{-5, 0.399, 0.399}, {1, 0, 0}}, {}, of_row);
     });
     INFO("the ray passes all of them, and asked " << none.shapes);
@@ -194,21 +196,22 @@ TEST_CASE("an instance in many cells takes the ray through its mesh once", "[09.
         mesh.triangles.primitive.push_back(static_cast<std::uint32_t>(k));
     }
     mesh.bound = {Vec3(0), 2};
-    mesh.grid = build_grid(std::span<const Triangle>(mesh.triangles.shapes), {.nested = false});
-    mesh.grid.mailbox = 1;
-    const std::vector<SharedMesh> meshes{mesh};
-    const std::vector<Instance> instances(8, Instance{});
-    const Grid grid = build_grid(instances, meshes, {.density = 500, .nested = false});
+    const MeshUse plain{std::make_shared<const SharedMesh>(mesh)};
+    const Grid of_mesh = grid_of(mesh.triangles.shapes, {.nested = false});
+    mesh.triangles.accelerator = of_mesh;
+    mesh.triangles.mailbox = 1;
+    const MeshUse shown{std::make_shared<const SharedMesh>(mesh)};
+    const std::vector<Instance> instances(8, Instance{{}, shown});
+    const Grid grid = grid_of(instances, {.density = 500, .nested = false});
     const Ray ray{{-3, 0.505, -0.9}, {1, 0, 0.1}};
     const std::uint64_t cells_of_grid = cells_along(grid.shape, ray, {}).size();
-    const std::uint64_t cells_of_mesh = cells_along(mesh.grid.shape, ray, {}).size();
+    const std::uint64_t cells_of_mesh = cells_along(of_mesh.shape, ray, {}).size();
     Mailbox mailbox;
     std::optional<Hit> hit;
-    const WalkCounts counts = counted([&] { hit = closest_hit(grid, instances, meshes, ray, {}, mailbox); });
+    const SearchCounts counts = counted([&] { hit = closest_hit(grid, instances, ray, {}, mailbox); });
     CAPTURE(cells_of_grid, cells_of_mesh);
     CHECK(counts.cells <= cells_of_grid + 8 * cells_of_mesh);
-    const std::vector<SharedMesh> plain{{mesh.triangles, mesh.bound, {}}};
-    const std::optional<Hit> expected = closest_hit(instances, plain, ray, {});
+    const std::optional<Hit> expected = intersect(Instance{{}, plain}, ray, {});
     REQUIRE(hit.has_value() == expected.has_value());
     if (hit) {
         CHECK(hit->t == expected->t);
@@ -227,7 +230,7 @@ TEST_CASE("rays from beyond the reach, or with numbers out of range, ask all the
           Ray{{0, 0, 0}, {nan, 0, 0}}, Ray{{0, 0, 0}, {infinity, 0, 0}}}) {
         Mailbox mailbox;
         std::optional<Hit> hit;
-        const WalkCounts counts = counted([&] { hit = closest_hit(grid, spheres, ray, {}, mailbox); });
+        const SearchCounts counts = counted([&] { hit = closest_hit(grid, spheres, ray, {}, mailbox); });
         const std::optional<Hit> expected = closest_hit(spheres, ray, {});
         INFO("ray " << show(ray));
         CHECK(counts.cells == 0);
@@ -248,7 +251,30 @@ TEST_CASE("the numbers of rays begin anew after 2^32, and nothing old is mistake
     }
 }
 
-TEST_CASE("a ball in a stadium: one grid asks nearly all of it, a grid of grids asks a few", "[09.7]") {
+TEST_CASE("behind an inner grid, and behind the shapes in it, the search goes on", "[09.8]") {
+    // Forty small spheres near each other, in two rows beside the ray, and one far behind them.
+    std::vector<Sphere> spheres{{{0, 0, 0}, 0.1}};
+    for (int k = 0; k < 40; ++k) spheres.push_back({{4 + 0.02 * k, k % 2 == 0 ? 0.3 : -0.3, 0}, 0.005});
+    spheres.push_back({{9, 0, 0}, 0.1});
+    const Grid grid = grid_of(spheres, {.density = 0.2, .crowd = 8});
+    REQUIRE_FALSE(grid.grids.empty());
+    const std::optional<Hit> behind = nearest(grid, spheres, {{2, 0, 0}, {1, 0, 0}});
+    INFO("between the two rows: " << behind);
+    REQUIRE(behind);
+    CHECK(behind->primitive == 41);
+    CHECK(behind->t == Approx(6.9));
+    const std::optional<Hit> inside = nearest(grid, spheres, {{2, 0.3, 0}, {1, 0, 0}});
+    INFO("along the upper row: " << inside);
+    REQUIRE(inside);
+    CHECK(inside->primitive == 1);
+    CHECK(inside->t == Approx(1.995));
+    Mailbox mailbox;
+    CHECK(any_hit(grid, spheres, {{2, 0, 0}, {1, 0, 0}}, {}, mailbox));
+    CHECK_FALSE(any_hit(grid, spheres, {{2, 0, 0}, {1, 0, 0}}, {0, 6.8}, mailbox));
+    CHECK(any_hit(grid, spheres, {{2, -0.3, 0}, {1, 0, 0}}, {0, 2.1}, mailbox));
+}
+
+TEST_CASE("a ball in a stadium: one grid asks nearly all of it, a grid of grids asks a few", "[09.8]") {
     const std::vector<Triangle> triangles = ball_in_stadium();
     const Grid uniform = grid_of(triangles, {.nested = false});
     const Grid nested = grid_of(triangles);
@@ -256,7 +282,7 @@ TEST_CASE("a ball in a stadium: one grid asks nearly all of it, a grid of grids 
     Mailbox mailbox;
     std::size_t different = 0;
     const auto per_ray = [&](const Grid& grid) {
-        const WalkCounts counts = counted([&] {
+        const SearchCounts counts = counted([&] {
             for (const Ray& ray : rays) closest_hit(grid, triangles, ray, {}, mailbox);
         });
         return static_cast<Real>(counts.shapes) / static_cast<Real>(rays.size());
@@ -275,7 +301,7 @@ TEST_CASE("a ball in a stadium: one grid asks nearly all of it, a grid of grids 
     CHECK(different == 0);
 }
 
-TEST_CASE("any hit will do, and ends the search", "[09.8]") {
+TEST_CASE("any hit will do, and ends the search", "[09.7]") {
     const std::vector<Sphere> spheres = row_of_spheres(100);
     const Grid grid = grid_of(spheres);
     Mailbox mailbox;
@@ -287,7 +313,7 @@ TEST_CASE("any hit will do, and ends the search", "[09.8]") {
     CHECK_FALSE(any_hit(grid, spheres, {{-5, 1, 0}, {1, 0, 0}}, {}, mailbox));
 
     bool hit = false;
-    const WalkCounts first = counted([&] {
+    const SearchCounts first = counted([&] {
         hit = any_hit(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {}, mailbox);
     });
     CHECK(hit);
@@ -295,13 +321,13 @@ TEST_CASE("any hit will do, and ends the search", "[09.8]") {
     CHECK(first.shapes == 1);
 }
 
-TEST_CASE("any hit counts wherever on the ray it is: a long shape may be hit far ahead", "[09.8]") {
+TEST_CASE("any hit counts wherever on the ray it is: a long shape may be hit far ahead", "[09.7]") {
     const std::vector<Triangle> triangles{{{0, 0.8, 0}, {10, 0.92, 0}, {10, 0.92, 2}},
                                           {{5, 0, 0}, {5, 2, 0}, {5, 0, 2}}};
     const Grid grid = grid_of(triangles, {.density = 50});
     Mailbox mailbox;
     bool hit = false;
-    const WalkCounts counts = counted([&] {
+    const SearchCounts counts = counted([&] {
         hit = any_hit(grid, triangles, {{-1, 0.9, 0.5}, {1, 0, 0}}, {}, mailbox);
     });
     CHECK(hit);
@@ -317,7 +343,7 @@ TEST_CASE("a shadow ray in a crowd asks a few shapes, each once", "[09.8]") {
     const std::vector<Ray> rays = rays_at_ball(cases(400));
     for (const Ray& ray : rays) {
         bool hit = false;
-        const WalkCounts counts = counted([&] { hit = any_hit(grid, triangles, ray, {}, mailbox); });
+        const SearchCounts counts = counted([&] { hit = any_hit(grid, triangles, ray, {}, mailbox); });
         if (hit != any_hit(triangles, ray, {}) || counts.shapes != marked(mailbox)) ++wrong;
         asked += counts.shapes;
     }

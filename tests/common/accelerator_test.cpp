@@ -1,9 +1,9 @@
 // Grids in a World: built where they pay, and nowhere seen in the picture.
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/09_grids/walk.hpp"
+#include "common/render/accelerate.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/explain.hpp"
-#include "common/render/grids.hpp"
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
@@ -56,8 +56,8 @@ World world_of(const std::string& text) {
 std::size_t grids_of(const World& world) {
     std::size_t count = 0;
     for (const AnyGroup& any : world.groups)
-        count += std::visit([]<class Kind>(const Kind&) { return std::size_t(has_grid<Kind>); }, any);
-    for (const SharedMesh& mesh : world.meshes) count += !mesh.grid.empty();
+        count += std::visit([](const auto& group) { return std::size_t(has_accelerator(group)); }, any);
+    for (const auto& mesh : world.meshes) count += has_accelerator(mesh->triangles);
     return count;
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("the picture is the same to the bit with and without grids", "[acceler
         INFO(accelerator);
         const World world = world_of(text + "accelerator " + accelerator + "\n");
         CHECK((render(world).image.pixels == plain.pixels));
-        CHECK(world.needs.grids == (grids_of(world) > 0));
+        CHECK(world.needs.accelerators == (grids_of(world) > 0));
     }
     CHECK(grids_of(world_of(text + "accelerator none\n")) == 0);
     // Spheres, ellipsoids, triangles and polygons; no grid holds the plane.
@@ -91,7 +91,7 @@ TEST_CASE("instances have a grid, and so has the mesh that they share", "[accele
 
 TEST_CASE("scenes too small for a grid build none", "[accelerator]") {
     const World world = world_of(crowd(16));
-    CHECK_FALSE(world.needs.grids);
+    CHECK_FALSE(world.needs.accelerators);
     const Scene scene = parse_scene_text(crowd(16), "s");
     const Explanation explanation = explain(scene, compile(scene));
     CHECK(std::any_of(explanation.left_out.begin(), explanation.left_out.end(),
@@ -213,9 +213,9 @@ Real cost_of(const std::string& text, const std::string& accelerator) {
     Real outside = 0, gridded = 0;
     for (const AnyGroup& any : world.groups)
         std::visit(
-            [&]<class Kind>(const Kind& group) {
-                triangles |= std::is_base_of_v<Triangles, Kind>;
-                if (has_grid<Kind>)
+            [&]<class Shape>(const Group<Shape>& group) {
+                triangles |= std::is_same_v<Shape, Triangle>;
+                if (has_accelerator(group))
                     ++gridded;
                 else
                     outside += static_cast<Real>(group.shapes.size());
@@ -224,14 +224,14 @@ Real cost_of(const std::string& text, const std::string& accelerator) {
     Real cost = 60 * static_cast<Real>(after.entered - before.entered) +
                 (triangles ? 6 : 2) * static_cast<Real>(after.questions - before.questions) +
                 static_cast<Real>(after.probes - before.probes);
-    const WalkCounts walked = walk_counts();
+    const SearchCounts walked = search_counts();
     for (int y = 0; y < world.view.height; ++y)
         for (int x = 0; x < world.view.width; ++x) {
             cost += outside + 14 * gridded;
             if (gridded > 0) closest_hit(world, pixel_ray(world.view, x + 0.5, y + 0.5), {0, infinity});
         }
-    return cost + static_cast<Real>(walk_counts().shapes - walked.shapes) +
-           0.5 * static_cast<Real>(walk_counts().cells - walked.cells);
+    return cost + static_cast<Real>(search_counts().shapes - walked.shapes) +
+           0.5 * static_cast<Real>(search_counts().cells - walked.cells);
 }
 
 }  // namespace

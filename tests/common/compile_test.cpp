@@ -102,7 +102,7 @@ TEST_CASE("the triangles of a mesh that is shown once take their transform into 
     const World world = world_of("translate 10 0 0\nscale 2 1 1\n" + square_mesh());
     CHECK(world.meshes.empty());
     CHECK_FALSE(world.needs.transforms);
-    const Triangles& triangles = group_of<Triangles>(world);
+    const Group<Triangle>& triangles = group_of<Group<Triangle>>(world);
     REQUIRE(triangles.shapes.size() == 2);
     CHECK(triangles.shapes[0].a == Vec3(8, -1, 0));
     CHECK(triangles.shapes[0].b == Vec3(12, -1, 0));
@@ -114,9 +114,9 @@ TEST_CASE("so do triangles, polygons and planes of the file", "[compile]") {
         "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nscale 2 3 1\ntri 0 1 2\npolygon 0 1 2\nplane 0 1 0  1 1 "
         "0\n");
     CHECK_FALSE(world.needs.transforms);
-    CHECK(group_of<Triangles>(world).shapes[0].c == Vec3(0, 3, 0));
-    CHECK(group_of<Polygons>(world).shapes[0].vertices[1] == Vec3(2, 0, 0));
-    const Plane& plane = group_of<Planes>(world).shapes[0];
+    CHECK(group_of<Group<Triangle>>(world).shapes[0].c == Vec3(0, 3, 0));
+    CHECK(group_of<Group<Polygon>>(world).shapes[0].vertices[1] == Vec3(2, 0, 0));
+    const Plane& plane = group_of<Group<Plane>>(world).shapes[0];
     CHECK(plane.point == Vec3(0, 3, 0));
     // The plane x + y = 1 becomes x/2 + y/3 = 1.
     CHECK(std::abs(plane.normal.x * 2 - plane.normal.y * 3) <= gamma(4));
@@ -126,7 +126,7 @@ TEST_CASE("normals of smooth triangles are baked by the inverse transpose", "[co
     const World world = world_of(
         "integrator normals\nscale 2 1 1\nvertexnormal 0 0 0 1 1 0\nvertexnormal 1 0 0 1 1 0\n"
         "vertexnormal 0 1 0 1 1 0\ntrinormal 0 1 2\n");
-    const Vec3 n = group_of<Triangles>(world).normals[0].a;
+    const Vec3 n = group_of<Group<Triangle>>(world).normals[0].a;
     CHECK(2 * n.x == n.y);
 }
 
@@ -134,21 +134,21 @@ TEST_CASE("a sphere under turns, moves and one scale for all axes is a sphere", 
     const World world =
         world_of("translate 1 2 3\nrotate 1 2 3 40\nscale 2 2 2\nscale -1 1 1\nsphere 0 0 0 1.5\n");
     CHECK_FALSE(world.needs.transforms);
-    const Sphere& sphere = group_of<Spheres>(world).shapes[0];
+    const Sphere& sphere = group_of<Group<Sphere>>(world).shapes[0];
     CHECK(sphere.radius == 3);
     CHECK(sphere.center == Vec3(1, 2, 3));
 }
 
 TEST_CASE("a sphere that shows texture coordinates keeps its matrices where it was turned", "[compile]") {
-    CHECK(has<Ellipsoids>(world_of("integrator uv\nrotate 0 1 0 90\nsphere 0 0 0 1\n")));
-    CHECK(has<Spheres>(world_of("integrator uv\ntranslate 0 1 0\nsphere 0 0 0 1\n")));
-    CHECK(has<Spheres>(world_of("integrator normals\nrotate 0 1 0 90\nsphere 0 0 0 1\n")));
+    CHECK(has<Group<Ellipsoid>>(world_of("integrator uv\nrotate 0 1 0 90\nsphere 0 0 0 1\n")));
+    CHECK(has<Group<Sphere>>(world_of("integrator uv\ntranslate 0 1 0\nsphere 0 0 0 1\n")));
+    CHECK(has<Group<Sphere>>(world_of("integrator normals\nrotate 0 1 0 90\nsphere 0 0 0 1\n")));
 }
 
 TEST_CASE("a sphere under different scales keeps its matrices: the unit sphere's way to it", "[compile]") {
     const World world = world_of("scale 2 1 1\nsphere 1 0 0 .5\n");
     CHECK(world.needs.transforms);
-    const Transform& transform = group_of<Ellipsoids>(world).shapes[0].transform;
+    const Transform& transform = group_of<Group<Ellipsoid>>(world).shapes[0].transform;
     CHECK(transform_point(transform.to_world, {1, 0, 0}) == Vec3(3, 0, 0));
     CHECK(transform_point(transform.to_world, {0, 1, 0}) == Vec3(2, 0.5, 0));
     CHECK(transform_point(transform.to_local, {3, 0, 0}) == Vec3(1, 0, 0));
@@ -186,18 +186,18 @@ TEST_CASE("a mesh that is shown twice is kept once, in its own space", "[compile
     const World world = world_of("translate 1 0 0\n" + mesh + "translate 1 0 0\n" + mesh + mesh);
     REQUIRE(world.meshes.size() == 1);
     CHECK(world.needs.transforms);
-    CHECK(world.meshes[0].triangles.shapes[0].a == Vec3(-1, -1, 0));
-    const Instances& instances = group_of<Instances>(world);
+    CHECK(world.meshes[0]->triangles.shapes[0].a == Vec3(-1, -1, 0));
+    const Group<Instance>& instances = group_of<Group<Instance>>(world);
     REQUIRE(instances.shapes.size() == 3);
     CHECK(instances.shapes[0].transform.to_world[3] == Vec4(1, 0, 0, 1));
     CHECK(instances.shapes[2].transform.to_world[3] == Vec4(2, 0, 0, 1));
-    CHECK_FALSE(has<Triangles>(world));
+    CHECK_FALSE(has<Group<Triangle>>(world));
 }
 
 TEST_CASE("the sphere around a shared mesh holds all its corners", "[compile]") {
     const std::string mesh = square_mesh();
     const World world = world_of(mesh + mesh);
-    const SharedMesh& shared = world.meshes.at(0);
+    const SharedMesh& shared = *world.meshes.at(0);
     for (const Triangle& t : shared.triangles.shapes)
         for (const Vec3& corner : {t.a, t.b, t.c})
             CHECK(length(corner - shared.bound.center) < shared.bound.radius);
@@ -210,8 +210,8 @@ TEST_CASE("a forest of 1024 trees needs the memory of one tree and of the matric
     const World world = compile(scene);
     const std::size_t triangles = 10'000, trees = 1024;
     REQUIRE(world.meshes.size() == 1);
-    CHECK(world.meshes[0].triangles.shapes.size() == triangles);
-    CHECK(group_of<Instances>(world).shapes.size() >= 1000);
+    CHECK(world.meshes[0]->triangles.shapes.size() == triangles);
+    CHECK(group_of<Group<Instance>>(world).shapes.size() >= 1000);
     // Where each tree went, and its own colour, is all there is beside its two matrices.
     const std::size_t a_tree =
         sizeof(Instance) + sizeof(std::uint32_t) + sizeof(Primitive) + sizeof(Material);
@@ -321,13 +321,13 @@ TEST_CASE("a world needs only what its materials ask for", "[compile]") {
 
 TEST_CASE("normals are kept only where the picture shows them", "[compile]") {
     const std::string mesh = square_mesh(true);
-    CHECK(group_of<Triangles>(world_of("integrator normals\n" + mesh)).normals.size() == 2);
-    CHECK(group_of<Triangles>(world_of("integrator flat\n" + mesh)).normals.empty());
-    CHECK(group_of<Triangles>(world_of(mesh)).normals.empty());
-    CHECK(group_of<Triangles>(world_of(lit + mesh)).normals.size() == 2);
-    CHECK(world_of("integrator normals\n" + mesh + mesh).meshes[0].triangles.normals.size() == 2);
-    CHECK(world_of("integrator flat\n" + mesh + mesh).meshes[0].triangles.normals.empty());
-    CHECK(group_of<Triangles>(world_of("integrator uv\n" + mesh)).uvs.size() == 2);
+    CHECK(group_of<Group<Triangle>>(world_of("integrator normals\n" + mesh)).normals.size() == 2);
+    CHECK(group_of<Group<Triangle>>(world_of("integrator flat\n" + mesh)).normals.empty());
+    CHECK(group_of<Group<Triangle>>(world_of(mesh)).normals.empty());
+    CHECK(group_of<Group<Triangle>>(world_of(lit + mesh)).normals.size() == 2);
+    CHECK(world_of("integrator normals\n" + mesh + mesh).meshes[0]->triangles.normals.size() == 2);
+    CHECK(world_of("integrator flat\n" + mesh + mesh).meshes[0]->triangles.normals.empty());
+    CHECK(group_of<Group<Triangle>>(world_of("integrator uv\n" + mesh)).uvs.size() == 2);
 }
 
 TEST_CASE("only kinds that occur have a group, and a picture of directions has none", "[compile]") {
@@ -338,7 +338,7 @@ TEST_CASE("only kinds that occur have a group, and a picture of directions has n
     CHECK(world.groups.size() == 2);
     REQUIRE(world.primitives.size() == 3);
     for (std::size_t i = 0; i < 3; ++i) CHECK(world.primitives[i].object == i);
-    CHECK(group_of<Spheres>(world).primitive == std::vector<std::uint32_t>{0, 2});
+    CHECK(group_of<Group<Sphere>>(world).primitive == std::vector<std::uint32_t>{0, 2});
 }
 
 TEST_CASE("a checker is two materials, and a material without one is one", "[compile]") {

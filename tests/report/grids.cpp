@@ -79,7 +79,7 @@ GridPoint measure(double size, const GridsOptions& options) {
     };
     std::vector<double> times;
     for (int i = 0; i < options.repeats; ++i) {
-        const WalkCounts before = walk_counts();
+        const SearchCounts before = search_counts();
         const double start = cpu_seconds();
         Real sum = 0;
         for (const Ray& ray : rays)
@@ -89,8 +89,8 @@ GridPoint measure(double size, const GridsOptions& options) {
         const auto a_ray = [&](std::uint64_t now, std::uint64_t then) {
             return static_cast<double>(now - then) / static_cast<double>(rays.size());
         };
-        point.cells = a_ray(walk_counts().cells, before.cells);
-        point.asked = a_ray(walk_counts().shapes, before.shapes);
+        point.cells = a_ray(search_counts().cells, before.cells);
+        point.asked = a_ray(search_counts().shapes, before.shapes);
     }
     point.grid_ns = median(times);
 

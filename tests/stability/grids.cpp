@@ -79,23 +79,25 @@ SharedMesh some_mesh(Random& random) {
     return mesh;
 }
 
-PlacedMeshes meshes_at(const std::vector<Place>& places, Random& random) {
-    PlacedMeshes placed;
+/// Instances of two meshes, each of which may have a grid.
+std::vector<Instance> instances_at(const std::vector<Place>& places, Random& random) {
+    std::vector<MeshUse> meshes;
     for (std::uint32_t m = 0; m < 2; ++m) {
-        placed.plain.push_back(some_mesh(random));
-        SharedMesh mesh = placed.plain.back();
+        SharedMesh mesh = some_mesh(random);
         if (random.index(2) == 0) {
-            mesh.grid = build_grid(std::span<const Triangle>(mesh.triangles.shapes), {.crowd = 4});
-            mesh.grid.mailbox = m;
+            mesh.triangles.accelerator =
+                build_grid(std::span<const Triangle>(mesh.triangles.shapes), {.crowd = 4});
+            mesh.triangles.mailbox = m;
         }
-        placed.meshes.push_back(std::move(mesh));
+        meshes.push_back({std::make_shared<const SharedMesh>(std::move(mesh))});
     }
+    std::vector<Instance> instances;
     for (const Place& place : places) {
         const Mat4 m = map_to(place, some_turn(random));
         if (const std::optional<Mat4> back = inverse(m))
-            placed.instances.push_back({{m, *back}, static_cast<std::uint32_t>(random.index(2))});
+            instances.push_back({{m, *back}, meshes[random.index(2)]});
     }
-    return placed;
+    return instances;
 }
 
 /// Shapes of this kind (or of any) at the places.
@@ -116,12 +118,12 @@ AnyShapes shapes_at(const std::vector<Place>& places, std::size_t kind, Random& 
             std::vector<Ellipsoid> shapes;
             for (const Place& p : places) {
                 const Mat4 m = map_to(p, some_turn(random));
-                if (const std::optional<Mat4> back = inverse(m)) shapes.push_back({{m, *back}});
+                if (const std::optional<Mat4> back = inverse(m)) shapes.push_back({{m, *back}, unit_sphere});
             }
             return shapes;
         }
         default:
-            return meshes_at(places, random);
+            return instances_at(places, random);
     }
 }
 
@@ -229,14 +231,7 @@ std::vector<Shape> copies_of(const std::vector<Shape>& shapes, Random& random) {
 /// The same shapes again and again: the lowest index wins.
 AnyShapes copies(Random& random) {
     AnyShapes shapes = shapes_at(soup(random, 1 + random.index(4), 1, Vec3(0)), random);
-    std::visit(
-        [&]<class Shapes>(Shapes& some) {
-            if constexpr (std::is_same_v<Shapes, PlacedMeshes>)
-                some.instances = copies_of(some.instances, random);
-            else
-                some = copies_of(some, random);
-        },
-        shapes);
+    std::visit([&]<class Shapes>(Shapes& some) { some = copies_of(some, random); }, shapes);
     return shapes;
 }
 
@@ -329,20 +324,15 @@ Vec3 place_on(const Ellipsoid& ellipsoid, Random& random) {
     return transform_point(ellipsoid.transform.to_world, place_on(unit_sphere, random));
 }
 
+Vec3 place_on(const Instance& instance, Random& random) {
+    const std::vector<Triangle>& t = instance.shape.mesh->triangles.shapes;
+    return transform_point(instance.transform.to_world, place_on(t[random.index(t.size())], random));
+}
+
 /// A point of one of the shapes, up to rounding; where rays are likely to meet trouble.
 Vec3 place_on(const AnyShapes& shapes, Random& random) {
-    return std::visit(
-        [&]<class Shapes>(const Shapes& some) {
-            if constexpr (std::is_same_v<Shapes, PlacedMeshes>) {
-                const Instance& instance = some.instances[random.index(some.instances.size())];
-                const std::vector<Triangle>& t = some.plain[instance.mesh].triangles.shapes;
-                return transform_point(instance.transform.to_world,
-                                       place_on(t[random.index(t.size())], random));
-            } else {
-                return place_on(some[random.index(some.size())], random);
-            }
-        },
-        shapes);
+    return std::visit([&](const auto& some) { return place_on(some[random.index(some.size())], random); },
+                      shapes);
 }
 
 /// A point of the box; often on boundaries of cells, of this grid or of one inside it.
@@ -437,15 +427,20 @@ std::string text_of(const GridScene& scene, const GridQuestion& question) {
 std::span<const GridFamily> grid_families() { return families; }
 
 std::size_t count_of(const AnyShapes& shapes) {
-    return std::visit(
-        []<class Shapes>(const Shapes& some) {
-            if constexpr (std::is_same_v<Shapes, PlacedMeshes>)
-                return some.instances.size();
-            else
-                return some.size();
-        },
-        shapes);
+    return std::visit([](const auto& some) { return some.size(); }, shapes);
 }
+
+namespace {
+
+Grid grid_over(const GridScene& scene) {
+    return std::visit(
+        [&]<class Shapes>(const Shapes& some) {
+            return build_grid(std::span<const typename Shapes::value_type>(some), scene.options);
+        },
+        scene.shapes);
+}
+
+}  // namespace
 
 GridScene make_scene(const GridFamily& family, std::uint64_t seed) {
     Random random(seed);
@@ -453,14 +448,16 @@ GridScene make_scene(const GridFamily& family, std::uint64_t seed) {
     scene.options.density = random.magnitude(-0.5, 1.3);
     scene.options.nested = random.index(3) > 0;
     scene.options.crowd = 1 + static_cast<int>(random.index(10));
-    scene.grid = std::visit(
-        [&]<class Shapes>(const Shapes& some) {
-            if constexpr (std::is_same_v<Shapes, PlacedMeshes>)
-                return build_grid(some.instances, some.meshes, scene.options);
-            else
-                return build_grid(std::span<const typename Shapes::value_type>(some), scene.options);
-        },
-        scene.shapes);
+    scene.grid = grid_over(scene);
+    return scene;
+}
+
+GridScene make_scene(const GridFamily& family, std::uint64_t seed, bool nested) {
+    GridScene scene = make_scene(family, seed);
+    if (scene.options.nested != nested) {
+        scene.options.nested = nested;
+        scene.grid = grid_over(scene);
+    }
     return scene;
 }
 
@@ -476,26 +473,36 @@ namespace {
 
 std::optional<Hit> nearest(const GridScene& scene, const GridQuestion& question, Mailbox& mailbox) {
     return std::visit(
-        [&]<class Shapes>(const Shapes& some) {
-            const Ray& ray = question.ray;
-            if constexpr (std::is_same_v<Shapes, PlacedMeshes>)
-                return closest_hit(scene.grid, some.instances, some.meshes, ray, question.range, mailbox);
-            else
-                return closest_hit(scene.grid, some, ray, question.range, mailbox);
+        [&](const auto& some) {
+            return closest_hit(scene.grid, some, question.ray, question.range, mailbox);
         },
         scene.shapes);
 }
 
 bool any(const GridScene& scene, const GridQuestion& question, Mailbox& mailbox) {
     return std::visit(
-        [&]<class Shapes>(const Shapes& some) {
-            const Ray& ray = question.ray;
-            if constexpr (std::is_same_v<Shapes, PlacedMeshes>)
-                return any_hit(scene.grid, some.instances, some.meshes, ray, question.range, mailbox);
-            else
-                return any_hit(scene.grid, some, ray, question.range, mailbox);
-        },
+        [&](const auto& some) { return any_hit(scene.grid, some, question.ray, question.range, mailbox); },
         scene.shapes);
+}
+
+}  // namespace
+
+namespace {
+
+/// Asks all the triangles of all the instances.
+std::optional<Hit> nearest_of_instances(const std::vector<Instance>& instances,
+                                        const GridQuestion& question) {
+    std::optional<Hit> best;
+    for (std::uint32_t i = 0; i < instances.size(); ++i) {
+        const std::vector<Triangle>& triangles = instances[i].shape.mesh->triangles.shapes;
+        std::optional<Hit> hit =
+            closest_hit(triangles, to_local(instances[i].transform, question.ray), question.range);
+        if (!hit || (best && hit->t >= best->t)) continue;
+        hit->element = hit->primitive;
+        hit->primitive = i;
+        best = hit;
+    }
+    return best;
 }
 
 }  // namespace
@@ -503,8 +510,8 @@ bool any(const GridScene& scene, const GridQuestion& question, Mailbox& mailbox)
 std::optional<Hit> nearest_of_all(const GridScene& scene, const GridQuestion& question) {
     return std::visit(
         [&]<class Shapes>(const Shapes& some) {
-            if constexpr (std::is_same_v<Shapes, PlacedMeshes>)
-                return closest_hit(some.instances, some.plain, question.ray, question.range);
+            if constexpr (std::is_same_v<Shapes, std::vector<Instance>>)
+                return nearest_of_instances(some, question);
             else
                 return closest_hit(some, question.ray, question.range);
         },

@@ -19,15 +19,8 @@
 
 namespace rt::stability {
 
-/// Instances, and the meshes that they place; `plain` are the same meshes without grids.
-struct PlacedMeshes {
-    std::vector<Instance> instances;
-    std::vector<SharedMesh> meshes;
-    std::vector<SharedMesh> plain;
-};
-
 using AnyShapes = std::variant<std::vector<Sphere>, std::vector<Triangle>, std::vector<Polygon>,
-                               std::vector<Ellipsoid>, PlacedMeshes>;
+                               std::vector<Ellipsoid>, std::vector<Instance>>;
 
 struct GridScene {
     AnyShapes shapes;
@@ -47,6 +40,9 @@ std::span<const GridFamily> grid_families();
 /// A scene of the family, its options chosen at random, and its grid.
 GridScene make_scene(const GridFamily& family, std::uint64_t seed);
 
+/// The same with a uniform grid, or with grids in it. Meshes that are placed have grids in grids always.
+GridScene make_scene(const GridFamily& family, std::uint64_t seed, bool nested);
+
 struct GridQuestion {
     Ray ray;
     Interval range;
@@ -56,7 +52,7 @@ struct GridQuestion {
 /// sign, from inside, from boundaries, and from up to 2^17 edges of the box away.
 std::vector<GridQuestion> make_questions(const GridScene& scene, std::size_t count, std::uint64_t seed);
 
-/// The nearest hit, found by asking all the shapes.
+/// The nearest hit, found by asking all the shapes, and all the triangles of an instance.
 std::optional<Hit> nearest_of_all(const GridScene& scene, const GridQuestion& question);
 
 /// Judges what closest_hit answers with the scene's grid.

@@ -23,14 +23,14 @@ constexpr Real least_gap = 64;  ///< in units of the error bound along the norma
 
 // --------------------------------------------------------------------------------------- asking a shape
 
-SharedMesh mesh_of(const Triangle& triangle) {
+MeshUse mesh_of(const Triangle& triangle) {
     SharedMesh mesh;
     mesh.triangles.shapes.push_back(triangle);
     const Vec3 center = (triangle.a + triangle.b + triangle.c) / Real(3);
     Real radius = 0;
     for (const Vec3& p : {triangle.a, triangle.b, triangle.c}) radius = std::max(radius, length(p - center));
     mesh.bound = {center, radius * (1 + 0x1p-20)};
-    return mesh;
+    return {std::make_shared<const SharedMesh>(std::move(mesh))};
 }
 
 template <class Shape>
@@ -38,9 +38,7 @@ std::optional<Hit> hit_of(const Shape& shape, const Ray& ray, Interval range) {
     return intersect(shape, ray, range);
 }
 std::optional<Hit> hit_of(const PlacedTriangle& placed, const Ray& ray, Interval range) {
-    const Instance instance{placed.transform, 0};
-    const SharedMesh mesh = mesh_of(placed.triangle);
-    return closest_hit({&instance, 1}, {&mesh, 1}, ray, range);
+    return intersect(Instance{placed.transform, mesh_of(placed.triangle)}, ray, range);
 }
 
 template <class Shape>
@@ -48,7 +46,7 @@ Surface surface_of(const Shape& shape, const Ray& ray, const Hit& hit) {
     return surface_at(shape, ray, hit);
 }
 Surface surface_of(const PlacedTriangle& placed, const Ray& ray, const Hit& hit) {
-    return surface_at(Instance{placed.transform, 0}, mesh_of(placed.triangle), ray, hit);
+    return surface_at(Instance{placed.transform, mesh_of(placed.triangle)}, ray, hit);
 }
 
 template <class Variant>
@@ -190,7 +188,7 @@ std::optional<ShadowCase> ellipsoids(Random& random) {
                target = random.uniform(0, 1) * random.direction();
     const Vec3 start = transform_point(transform->to_world, from);
     const Vec3 end = transform_point(transform->to_world, target);
-    return lit(random, Ellipsoid{*transform}, towards(start, end), scale, true);
+    return lit(random, Ellipsoid{*transform, unit_sphere}, towards(start, end), scale, true);
 }
 
 std::optional<ShadowCase> instances(Random& random) {

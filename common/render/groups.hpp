@@ -1,0 +1,106 @@
+// The questions of common/world/query.hpp, asked of one group: its shapes are known, so nothing is
+// dispatched. Here all chapters' contracts meet the list of shapes (common/world/shapes.hpp).
+#pragma once
+
+#include "chapters/contracts.hpp"  // all of them; made by the build
+#include "common/world/query.hpp"
+
+#include <vector>
+
+namespace rt {
+
+/// The group's shapes. Their number comes from the indices, which are as many: to divide by the size of four
+/// bytes is a shift.
+template <class Shape>
+std::span<const Shape> shapes_of(const Group<Shape>& group) {
+    return {group.shapes.data(), group.primitive.size()};
+}
+
+// What is asked of an accelerator is kept out of the functions that ask, which else would save registers for
+// it always.
+template <class Shape>
+[[gnu::noinline]] std::optional<Hit> closest_by_accelerator(const Group<Shape>& group, const Ray& ray,
+                                                            Interval range) {
+    return std::visit(
+        [&](const auto& accelerator) {
+            return closest_hit(accelerator, std::span<const Shape>(group.shapes), ray, range,
+                               mailbox_of(group.mailbox));
+        },
+        group.accelerator);
+}
+template <class Shape>
+[[gnu::noinline]] bool any_by_accelerator(const Group<Shape>& group, const Ray& ray, Interval range) {
+    return std::visit(
+        [&](const auto& accelerator) {
+            return any_hit(accelerator, std::span<const Shape>(group.shapes), ray, range,
+                           mailbox_of(group.mailbox));
+        },
+        group.accelerator);
+}
+
+/// Nearest hit with the group's shapes; `Hit::primitive` is the index into the group.
+template <class Shape>
+std::optional<Hit> closest_in(const Group<Shape>& group, const Ray& ray, Interval range) {
+    if (has_accelerator(group)) return closest_by_accelerator(group, ray, range);
+    return closest_hit(shapes_of(group), ray, range);
+}
+
+/// Whether any of the group's shapes is hit.
+template <class Shape>
+bool any_in(const Group<Shape>& group, const Ray& ray, Interval range) {
+    if (has_accelerator(group)) return any_by_accelerator(group, ray, range);
+    return any_hit(shapes_of(group), ray, range);
+}
+
+/// Appends a hit for each of the group's shapes that is hit, its nearest in the range, which should be short;
+/// `Hit::primitive` is the index into the group.
+template <class Shape>
+void append_in(const Group<Shape>& group, const Ray& ray, Interval range, std::vector<Hit>& hits) {
+    std::visit(
+        [&](const auto& accelerator) {
+            append_hits(accelerator, shapes_of(group), ray, range, mailbox_of(group.mailbox), hits);
+        },
+        group.accelerator);
+}
+
+/// The surface at a hit with the group's shape `index`, with what the group keeps beside the shapes.
+template <class Shape>
+Surface surface_in(const World&, const Group<Shape>& group, std::uint32_t index, const Ray& ray,
+                   const Hit& hit) {
+    return surface_at(group.shapes[index], ray, hit);
+}
+inline Surface surface_in(const World& world, const Group<Sphere>& group, std::uint32_t index, const Ray& ray,
+                          const Hit& hit) {
+    Surface surface = surface_at(group.shapes[index], ray, hit);
+    if (world.needs.uvs) surface.uv = sphere_uv(surface.normal);
+    return surface;
+}
+inline Surface surface_in(const World& world, const Group<Ellipsoid>& group, std::uint32_t index,
+                          const Ray& ray, const Hit& hit) {
+    const Ellipsoid& ellipsoid = group.shapes[index];
+    Surface surface = surface_at(ellipsoid, ray, hit);
+    // On the unit sphere that the ellipsoid is in its own space, the point is the normal.
+    if (world.needs.uvs)
+        surface.uv = sphere_uv(normalize(transform_point(ellipsoid.transform.to_local, surface.point)));
+    return surface;
+}
+inline Surface surface_in(const World&, const Group<Triangle>& group, std::uint32_t index, const Ray& ray,
+                          const Hit& hit) {
+    Surface surface = surface_at(group.shapes[index], ray, hit);
+    if (!group.normals.empty())
+        surface.shading_normal = interpolate(group.normals[index], hit.uv, surface.normal);
+    if (!group.uvs.empty()) surface.uv = interpolate(group.uvs[index], hit.uv);
+    return surface;
+}
+
+/// The group of a world that has no other; it must be of this shape. It holds all the primitives in the order
+/// of the file, so that an index into the group is one into world.primitives.
+template <class Shape>
+const Group<Shape>& only_group(const World& world) {
+    const auto* group = std::get_if<Group<Shape>>(&world.groups.front());
+    // Whoever calls this for Shape has looked, once a picture, so that no ray has to.
+    if (!group) __builtin_unreachable();
+    return *group;
+}
+
+}  // namespace rt

@@ -1,0 +1,78 @@
+// The one list of shapes that a world is made of, and what is said about each.
+#pragma once
+
+#include "common/scene/shapes.hpp"
+
+#include <array>
+#include <memory>
+#include <string_view>
+#include <variant>
+
+namespace rt {
+
+/// A map of space and its inverse; both affine.
+struct Transform {
+    Mat4 to_world{1};
+    Mat4 to_local{1};
+};
+
+/// Any shape under a transform that it cannot take into its own numbers.
+template <class Shape>
+struct Placed {
+    Transform transform;
+    Shape shape{};
+};
+
+/// A sphere that is stretched. All are the unit sphere: centre and radius are part of the transform.
+using Ellipsoid = Placed<Sphere>;
+
+struct SharedMesh;
+
+/// A mesh that several objects show, as a shape in its own space.
+struct MeshUse {
+    std::shared_ptr<const SharedMesh> mesh;
+};
+
+/// One of the objects that show a mesh.
+using Instance = Placed<MeshUse>;
+
+template <class... Shape>
+struct List {};
+
+/// All shapes, in the order in which a world's groups stand. A shape brings
+///   – its struct (common/scene/shapes.hpp), its place in this list, and its words below;
+///   – `intersect`, `surface_at` and, if it has an end, `bounds_of` in its chapter's contract. Where they are
+///     missing, common/render/groups.hpp does not compile. `overlaps` with a box may make its accelerators
+///     better than its bounds do, `prepared` works out once a ray what all of them need, and `transformed`
+///     takes a transform into the shape's own numbers; where there is none, a transform makes it a
+///     Placed<Shape>, which is another word in this list.
+using Shapes = List<Plane, Sphere, Triangle, Polygon, Ellipsoid, Instance>;
+
+/// What messages call a shape, whose code it runs, and what it costs.
+struct ShapeWords {
+    std::string_view one, many;
+    std::array<std::string_view, 4> steps;  ///< that a picture of it needs, beside those of every picture
+    /// One question of a ray, and one about a box (`overlaps`), in units of what a sphere costs.
+    Real ask = 1;
+    Real overlap = 1;
+};
+
+/// The words of each shape; a shape of the list that has none does not compile.
+template <class Shape>
+inline constexpr ShapeWords words = Shape::there_are_no_words_for_this_shape;
+template <>
+inline constexpr ShapeWords words<Plane>{"plane", "planes", {"01.4"}};
+template <>
+inline constexpr ShapeWords words<Sphere>{"sphere", "spheres", {"02.3", "02.4"}};
+template <>
+inline constexpr ShapeWords words<Triangle>{"triangle", "triangles", {"03.4", "03.5"}, 1, 3};
+template <>
+inline constexpr ShapeWords words<Polygon>{"polygon", "polygons", {"03.7"}};
+template <>
+inline constexpr ShapeWords words<Ellipsoid>{
+    "ellipsoid with its matrices", "ellipsoids with their matrices", {"04.6", "02.3", "02.4"}};
+template <>
+inline constexpr ShapeWords words<Instance>{
+    "instance with its matrices", "instances with their matrices", {"04.6", "02.2", "03.4", "03.5"}};
+
+}  // namespace rt
