@@ -80,6 +80,11 @@ Grid build_grid(std::span<const Shape> shapes, GridOptions options = {}) {
     return build_grid(bounds, may_be_in, options);
 }
 
+template <class Shape>
+Grid build_grid(const std::vector<Shape>& shapes, const GridOptions& options = {}) {
+    return build_grid(std::span<const Shape>(shapes), options);
+}
+
 /// Bytes that the grid and the grids in it take. Given.
 std::size_t bytes_of(const Grid& grid);
 

@@ -72,7 +72,8 @@ bool search_cells(const Grid& grid, Search& search, Interval part) {
     return walk(grid.shape, search.ray, *inside, [&](std::size_t number, Interval t) {
         ++search.cells;
         const std::uint32_t inner = grid.inner.empty() ? 0 : grid.inner[number];
-        return inner == 0 ? ask_cell(grid, number, t, search) : search_inner(grid.grids[inner - 1], t, search);
+        return inner == 0 ? ask_cell(grid, number, t, search)
+                          : search_inner(grid.grids[inner - 1], t, search);
     });
 }
 

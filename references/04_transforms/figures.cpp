@@ -367,7 +367,7 @@ std::string forest() {
                     fmt::format("{:.2f}", render(baked, {.threads = 1, .progress = {}}).cpu_seconds);
         }
         csv += fmt::format(
-            "{},{},{:.2f},{},{:.2f},{}\n", trees, trees * world.meshes.front().triangles.shapes.size(),
+            "{},{},{:.2f},{},{:.2f},{}\n", trees, trees * world.meshes.front()->triangles.shapes.size(),
             static_cast<double>(explain(scene, world).bytes) / 1e6, baked_bytes, seconds, baked_seconds);
     }
     return csv;

@@ -334,10 +334,8 @@ void draw_heat_scale(const Path& directory) {
 }
 
 std::vector<Triangle> triangles_of(const World& world) {
-    for (const AnyGroup& group : world.groups) {
-        if (const auto* plain = std::get_if<Triangles>(&group)) return plain->shapes;
-        if (const auto* gridded = std::get_if<Group<Triangle>>(&group)) return gridded->shapes;
-    }
+    for (const AnyGroup& group : world.groups)
+        if (const auto* triangles = std::get_if<Group<Triangle>>(&group)) return triangles->shapes;
     return {};
 }
 
