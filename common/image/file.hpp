@@ -1,10 +1,10 @@
 // Images from and to files, by the file's ending. A file appears whole or not at all.
 #pragma once
 
+#include "common/image/encoding.hpp"
 #include "common/image/image.hpp"
 #include "common/image/whole_file.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <string_view>
 
@@ -12,16 +12,6 @@ namespace rt {
 
 /// No picture has more pixels (1.6 GB of them in memory): more are a damaged header or a slip of the hand.
 inline constexpr long long most_pixels = 1LL << 26;
-
-/// Light in [0, 1] to the number that a display wants, in [0, 1]; values outside are clamped,
-/// NaN becomes 0.
-Real encode(Real linear, Encoding encoding);
-
-/// Inverse of `encode` on [0, 1].
-Real decode(Real encoded, Encoding encoding);
-
-/// The byte round(255 · encode(linear)).
-std::uint8_t encode_byte(Real linear, Encoding encoding);
 
 /// A picture as a file has it.
 struct Picture {
