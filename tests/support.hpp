@@ -1,13 +1,15 @@
-// Helpers for all tests: how many cases, and reproducible random numbers.
+// Helpers for all tests: how many cases, where things are, messages of errors, and reproducible random
+// numbers.
 #pragma once
 
+#include "common/math/input_error.hpp"
 #include "common/math/ray.hpp"
 
 #include <cmath>
 #include <cstdint>
-
 #include <random>
 #include <string>
+#include <vector>
 
 namespace rt::test {
 
@@ -20,6 +22,21 @@ std::string scratch_directory();
 
 /// The repository's root.
 std::string repository();
+
+/// The message of the InputError that `action` throws; empty where it throws none.
+template <class Action>
+std::string error_of(Action action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+inline bool is_finite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 /// Random numbers from a fixed seed, so that a failing case fails again.
 struct Random {
@@ -44,8 +61,22 @@ struct Random {
         const Real z = uniform(-1, 1), phi = uniform(0, 2 * pi), r = std::sqrt(1 - z * z);
         return {r * std::cos(phi), r * std::sin(phi), z};
     }
+    /// A unit vector perpendicular to `v`, up to rounding; in no direction more often than in another.
+    Vec3 perpendicular_to(const Vec3& v) { return glm::normalize(glm::cross(v, direction())); }
     /// Whole number in [0, count).
     std::size_t index(std::size_t count) { return static_cast<std::size_t>(engine() % count); }
+    /// 1 or -1.
+    Real sign() { return index(2) == 0 ? -1 : 1; }
 };
+
+/// What `make(random)` returns, `count` times.
+template <class Make>
+auto many(std::size_t count, std::uint64_t seed, Make make) {
+    Random random(seed);
+    std::vector<decltype(make(random))> made;
+    made.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) made.push_back(make(random));
+    return made;
+}
 
 }  // namespace rt::test

@@ -4,13 +4,13 @@
 #include "chapters/08_antialiasing/estimate.hpp"
 #include "chapters/08_antialiasing/film.hpp"
 #include "chapters/08_antialiasing/samples.hpp"
+#include "common/math/stopwatch.hpp"
 #include "common/render/shade.hpp"
 #include "tests/stability/coverage.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <functional>
 #include <numeric>
 
@@ -673,10 +673,6 @@ void draw_adaptive(const Path& directory) {
 
 // Costs -------------------------------------------------------------------------------------------------
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// What making patterns costs, and a picture of 16 samples a pixel with them; how wrong it is.
 void measure_costs(const Path& directory) {
     Scene scene = scene_beside(__FILE__, "regular", 160, 120);
@@ -707,11 +703,11 @@ void measure_costs(const Path& directory) {
         }
         std::ranges::sort(milliseconds);
         std::size_t made = 0;
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         for (std::uint64_t k = 0; k < 20'000; ++k)
             made += i == 3 ? poisson_disk_samples(count, random_for(8, k, 9)).samples.size()
                            : makers[i].samples(count, k).size();
-        const double nanoseconds = 1e9 * seconds_since(start) / static_cast<double>(made);
+        const double nanoseconds = 1e9 * watch.seconds() / static_cast<double>(made);
         csv += fmt::format("{},{},{:.0f},{:.0f},{:.4f},{:.4f}\n", samplers[i].first, count, nanoseconds,
                            milliseconds[2], rms_difference(result.image, truth),
                            render(world).rms_error.value_or(0));

@@ -5,12 +5,12 @@
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/09_grids/walk.hpp"
 #include "common/math/random.hpp"
+#include "common/math/stopwatch.hpp"
 #include "references/09_grids/teapot.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <functional>
 
 using namespace rt;
@@ -503,10 +503,9 @@ std::vector<Ray> rays_around(std::size_t count) {
 double seconds_of(const std::function<void()>& work) {
     double least = infinity;
     for (int i = 0; i < 3; ++i) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         work();
-        least =
-            std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        least = std::min(least, watch.seconds());
     }
     return least;
 }

@@ -1,11 +1,11 @@
 // Step 02.5: the nearest of many spheres, and whether there is any.
 #include "chapters/02_spheres/sphere.hpp"
 #include "common/math/error.hpp"
+#include "common/math/stopwatch.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -64,10 +64,9 @@ TEST_CASE("any_hit stops at the first sphere that is hit", "[02.5]") {
     const auto seconds = [&](bool expected) {
         Real least = infinity;
         for (int k = 0; k < 3; ++k) {
-            const auto start = std::chrono::steady_clock::now();
+            const Stopwatch watch;
             CHECK(any_hit(spheres, down_z, ahead) == expected);
-            least = std::min(least,
-                             std::chrono::duration<Real>(std::chrono::steady_clock::now() - start).count());
+            least = std::min(least, watch.seconds());
         }
         return least;
     };

@@ -2,7 +2,6 @@
 #include "chapters/05_lighting/lighting.hpp"
 #include "common/math/error.hpp"
 #include "common/world/query.hpp"
-#include "tests/05_lighting/show.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 

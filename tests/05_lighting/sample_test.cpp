@@ -1,7 +1,6 @@
 // Step 05.1: what a light sends to a point.
 #include "chapters/05_lighting/lighting.hpp"
 #include "common/math/error.hpp"
-#include "tests/05_lighting/show.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 

@@ -1,7 +1,7 @@
 // Steps 06.1 and 06.2: where a shadow ray starts, where it goes and where it ends.
 #include "chapters/01_ray_casting/plane.hpp"
 #include "common/math/error.hpp"
-#include "tests/06_shadows/show.hpp"
+#include "tests/06_shadows/things.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 

@@ -2,7 +2,7 @@
 // Demands: tests/stability/shadows.hpp.
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
-#include "tests/06_shadows/show.hpp"
+#include "tests/06_shadows/things.hpp"
 #include "tests/catch.hpp"
 #include "tests/stability/shadows.hpp"
 #include "tests/support.hpp"

@@ -1,5 +1,5 @@
 // Steps 06.3 and 06.4: what arrives of the light.
-#include "tests/06_shadows/show.hpp"
+#include "tests/06_shadows/things.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 

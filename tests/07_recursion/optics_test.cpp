@@ -14,8 +14,6 @@ namespace {
 
 constexpr Real u = unit_roundoff;
 
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 /// A unit direction at the given angle to the normal (0, 1, 0), downwards.
 Vec3 down_at(Real angle) { return {std::sin(angle), -std::cos(angle), 0}; }
 
@@ -142,7 +140,7 @@ TEST_CASE("refraction never returns NaN, whatever the angle", "[07.2]") {
         const auto [d, n] = random_meeting(random);
         const auto t = refract(d, n, random.magnitude(-3, 3));
         total += !t;
-        if (t && !finite(*t)) FAIL("NaN or infinity for d·n = " << dot(d, n));
+        if (t && !is_finite(*t)) FAIL("NaN or infinity for d·n = " << dot(d, n));
     }
     CHECK(total > cases(20'000) / 10);
 }

@@ -21,8 +21,6 @@ const std::string frame = "size 16 12\nmaxdepth 4\ncamera 0 1 5 0 0 0 0 1 0 60\n
 
 Scene scene_of(const std::string& text) { return parse_scene_text(frame + text, "test.scene"); }
 
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 /// How many pixels are not finite, and whether anything is to be seen at all.
 struct Look {
     int bad = 0;
@@ -31,7 +29,7 @@ struct Look {
 Look look_at(const Scene& scene) {
     Look look;
     for (const Vec3& color : render(compile(scene), {1, {}}).image.pixels) {
-        look.bad += !finite(color);
+        look.bad += !is_finite(color);
         look.bright = look.bright || color.x > 0;
     }
     return look;
@@ -91,7 +89,7 @@ TEST_CASE("lights on surfaces, in them and on the eye", "[07.6]") {
                                      shiny + "plane 0 0 0 0 0 1\n",
                                  "test.scene"));
     const Vec3 color = radiance(world, {{0, 0, 5}, {0, 0, -1}});
-    CHECK(finite(color));
+    CHECK(is_finite(color));
 }
 
 TEST_CASE("highlights with exponent 0 and a million", "[07.6]") {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chapters/08_antialiasing/samples.hpp"
+#include "tests/chi_square.hpp"
 #include "tests/stability/coverage.hpp"
 
 #include <cmath>
@@ -25,22 +26,6 @@ inline Real t_statistic(const std::vector<Real>& numbers, Real expected) {
 /// With a hundred numbers or more, |t| of a right program exceeds this once in thirty million times or less.
 /// No test asks for more than thirty, so a right program fails less than once in a million times.
 inline constexpr Real t_limit = 6;
-
-/// Pearson's χ² of counts that should be equal.
-inline Real chi_square(const std::vector<int>& counts) {
-    Real all = 0, sum = 0;
-    for (const int count : counts) all += count;
-    const Real expected = all / static_cast<Real>(counts.size());
-    for (const int count : counts) sum += (count - expected) * (count - expected) / expected;
-    return sum;
-}
-
-/// What χ² of so many classes exceeds once in ten million times (Wilson & Hilferty 1931, normal
-/// quantile 5.2).
-inline Real chi_square_limit(std::size_t classes) {
-    const Real f = static_cast<Real>(classes - 1), root = 1 - 2 / (9 * f) + 5.2 * std::sqrt(2 / (9 * f));
-    return f * root * root * root;
-}
 
 /// Weighted mean of a shape's values at the samples: what sampling makes of its coverage of the unit square.
 template <class Shape>

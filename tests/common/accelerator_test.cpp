@@ -8,6 +8,7 @@
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
+#include "tests/worlds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,9 +50,7 @@ std::string crowd(int count) {
     return text.str();
 }
 
-World world_of(const std::string& text) {
-    return compile(parse_scene_text(text, "s", std::filesystem::path(test::repository()) / "references"));
-}
+World world_of(const std::string& text) { return test::world_of(text, test::repository() + "/references"); }
 
 std::size_t grids_of(const World& world) {
     std::size_t count = 0;

@@ -2,7 +2,6 @@
 
 #include "common/image/compare.hpp"
 #include "common/image/file.hpp"
-#include "common/math/input_error.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
@@ -153,17 +152,9 @@ TEST_CASE("the worst pixel is the first of several") {
 TEST_CASE("images of different sizes are refused with both sizes") {
     const std::string expected =
         "the image has 3 x 2 pixels and the reference 2 x 3; only images of one size can be compared";
-    const auto message = [](auto action) -> std::string {
-        try {
-            action();
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
-    };
     const Image wide = filled(3, 2, Vec3(0)), tall = filled(2, 3, Vec3(0));
-    CHECK(message([&] { compare(wide, tall); }) == expected);
-    CHECK(message([&] { difference(wide, tall); }) == expected);
+    CHECK(test::error_of([&] { compare(wide, tall); }) == expected);
+    CHECK(test::error_of([&] { difference(wide, tall); }) == expected);
 }
 
 TEST_CASE("the difference image is the absolute difference times the gain") {

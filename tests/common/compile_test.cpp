@@ -4,7 +4,6 @@
 #include "chapters/04_transforms/transform.hpp"
 #include "common/image/file.hpp"
 #include "common/math/error.hpp"
-#include "common/math/input_error.hpp"
 #include "common/render/explain.hpp"
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
@@ -60,13 +59,8 @@ bool has(const World& world) {
                        [](const AnyGroup& any) { return group_in<GroupType>(any) != nullptr; });
 }
 
-std::string refusal(const std::string& commands) {
-    try {
-        world_of(commands);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+std::string error_of(const std::string& commands) {
+    return test::error_of([&] { world_of(commands); });
 }
 
 /// Writes a mesh of one square, in the plane z = 0, and returns the command that shows it.
@@ -247,19 +241,19 @@ TEST_CASE("an instance is seen where the same mesh, baked, is seen", "[compile]"
 TEST_CASE("a singular transform is an error with the place of the step that made it so", "[compile]") {
     // Flattened to a 1e-20th along a slanted line: of the digits that remain of its thickness, none is right.
     const std::string flat = "rotate 0 0 1 45\nscale 1 1e-20 1\nrotate 0 0 1 30\nsphere 0 0 0 1\n";
-    CHECK(refusal(flat) ==
+    CHECK(error_of(flat) ==
           "small.scene:6:1: the transform in force after this step is singular: it has no inverse");
-    CHECK(refusal("scale 1e-20 1e-20 1e-20\nsphere 0 0 0 1\n").empty());
-    CHECK(refusal("rotate 0 0 1 45\nscale 1 1e-15 1e15\n" + square_mesh()).empty());
+    CHECK(error_of("scale 1e-20 1e-20 1e-20\nsphere 0 0 0 1\n").empty());
+    CHECK(error_of("rotate 0 0 1 45\nscale 1 1e-15 1e15\n" + square_mesh()).empty());
     // Nothing stands under it.
-    CHECK(refusal("pushTransform\n" + flat.substr(0, flat.find("sphere")) + "popTransform\nsphere 0 0 0 1\n")
+    CHECK(error_of("pushTransform\n" + flat.substr(0, flat.find("sphere")) + "popTransform\nsphere 0 0 0 1\n")
               .empty());
 }
 
 TEST_CASE("scan conversion refuses what is not made of triangles, with its place", "[compile]") {
-    CHECK(refusal("integrator rasterize\nsphere 0 0 0 1\n") ==
+    CHECK(error_of("integrator rasterize\nsphere 0 0 0 1\n") ==
           "small.scene:5:1: scan conversion draws triangles only");
-    CHECK(refusal("integrator rasterize\n" + square_mesh()).empty());
+    CHECK(error_of("integrator rasterize\n" + square_mesh()).empty());
 }
 
 // ------------------------------------------------------------------------------------ lights and needs

@@ -1,6 +1,5 @@
 // The export for POV-Ray: statements that mean the same there, and plain words where there are none.
 #include "common/povray/export.hpp"
-#include "common/math/input_error.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
@@ -24,13 +23,8 @@ std::string exported(const std::string& commands) {
     return export_povray(parse_scene_text(head + commands, "small.scene"));
 }
 
-std::string refusal(const std::string& commands) {
-    try {
-        exported(commands);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+std::string error_of(const std::string& commands) {
+    return test::error_of([&] { exported(commands); });
 }
 
 bool contains(const std::string& text, const std::string& part) {
@@ -238,26 +232,26 @@ TEST_CASE("glass has an interior", "[export]") {
 
 TEST_CASE("what POV-Ray cannot express is refused, with its place and the reason", "[export]") {
     const std::string glass = "ambient 0 0 0\ntransmission 1 1 1\nior 1.5\n";
-    const std::string schlick = refusal(glass + "fresnel schlick\n  sphere 0 0 0 1\n");
+    const std::string schlick = error_of(glass + "fresnel schlick\n  sphere 0 0 0 1\n");
     INFO(schlick);
     CHECK(schlick.starts_with("small.scene:8:3: POV-Ray cannot express this object: Schlick"));
 
-    const std::string face = refusal(glass + "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\ntri 0 1 2\n");
+    const std::string face = error_of(glass + "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\ntri 0 1 2\n");
     INFO(face);
     CHECK(face.starts_with(
         "small.scene:10:1: POV-Ray cannot express this object: a transparent object without"));
 
-    const std::string light = refusal("directional 0 1 0 1 1 1\nattenuation 1 1 1\npoint 0 1 0 1 1 1\n");
+    const std::string light = error_of("directional 0 1 0 1 1 1\nattenuation 1 1 1\npoint 0 1 0 1 1 1\n");
     INFO(light);
     CHECK(contains(light, "small.scene: POV-Ray cannot express this scene: light 2 has attenuation 1 1 1"));
 
-    const std::string depth = refusal("maxdepth 300\nspecular 1 1 1\nsphere 0 0 0 1\n");
+    const std::string depth = error_of("maxdepth 300\nspecular 1 1 1\nsphere 0 0 0 1\n");
     INFO(depth);
     CHECK(contains(depth, "maxdepth 300 is over its limit of 255"));
-    CHECK(refusal("maxdepth 300\nsphere 0 0 0 1\n").empty());
+    CHECK(error_of("maxdepth 300\nsphere 0 0 0 1\n").empty());
 
     CHECK(contains(
-        refusal("directional 0 1 0 1 1 1\nspecular 1 0 1\n" + glass + "sphere 0 0 0 1\n"),
+        error_of("directional 0 1 0 1 1 1\nspecular 1 0 1\n" + glass + "sphere 0 0 0 1\n"),
         "small.scene:9:1: POV-Ray cannot express this object: a transparent material whose highlight"));
 }
 
@@ -296,7 +290,7 @@ TEST_CASE("what is too small or too far for POV-Ray's tolerances is exported lar
     INFO(dim);
     CHECK(numbers_after(dim, "absorption").at(0) * numbers_after(dim, "sphere {").at(3) == Approx(1));
 
-    const std::string both = refusal("sphere 0 0 0 1e-3\nsphere 0 0 -1e5 1e4\n");
+    const std::string both = error_of("sphere 0 0 0 1e-3\nsphere 0 0 -1e5 1e4\n");
     INFO(both);
     CHECK(contains(both, "POV-Ray cannot express this scene: its lengths are from 0.001 to 1.11e+05"));
 }
@@ -324,7 +318,7 @@ TEST_CASE("absorption is exported where POV-Ray's media reach", "[export]") {
         CHECK(contains(exported(water + "plane 0 0 0 0 1 0\n"), "no_shadow hollow }"));
         CHECK_FALSE(contains(exported(water + "sphere 0 0 0 1\n"), "no_shadow"));
         const std::string weak =
-            refusal("ambient 0 0 0\ntransmission 1 1 1\nabsorption 1e-7 0 0\nplane 0 0 0 0 1 0\n");
+            error_of("ambient 0 0 0\ntransmission 1 1 1\nabsorption 1e-7 0 0\nplane 0 0 0 0 1 0\n");
         CHECK(contains(weak, "small.scene:7:1: POV-Ray cannot express this object: absorption so weak"));
     }
     SECTION("around the camera, and inside of other glass") {
@@ -337,14 +331,14 @@ TEST_CASE("absorption is exported where POV-Ray's media reach", "[export]") {
     }
     SECTION("not where there are lights: POV-Ray absorbs theirs") {
         const std::string why =
-            refusal("directional 0 1 0 1 1 1\ndiffuse 1 1 1\nplane 0 -1 0 0 1 0\ndiffuse 0 0 0\n" + water +
-                    "sphere 0 0 0 1\n");
+            error_of("directional 0 1 0 1 1 1\ndiffuse 1 1 1\nplane 0 -1 0 0 1 0\ndiffuse 0 0 0\n" + water +
+                     "sphere 0 0 0 1\n");
         INFO(why);
         CHECK(contains(
             why, "small.scene:12:1: POV-Ray cannot express this object: absorption in a scene with lights"));
         // Light that nothing reflects, and glass that no ray enters.
-        CHECK(refusal("directional 0 1 0 1 1 1\n" + water + "sphere 0 0 0 1\n").empty());
-        CHECK(refusal("maxdepth 0\ndirectional 0 1 0 1 1 1\ndiffuse 1 1 1\n" + water + "sphere 0 0 0 1\n")
+        CHECK(error_of("directional 0 1 0 1 1 1\n" + water + "sphere 0 0 0 1\n").empty());
+        CHECK(error_of("maxdepth 0\ndirectional 0 1 0 1 1 1\ndiffuse 1 1 1\n" + water + "sphere 0 0 0 1\n")
                   .empty());
     }
 }
@@ -355,19 +349,19 @@ TEST_CASE("bodies with fresnel that may be nested are refused", "[export]") {
     const auto is_nested = [](const std::string& why) {
         return contains(why, "on the way out POV-Ray forgets");
     };
-    const std::string why = refusal(fresnel + "sphere 0 0 0 1\nior 1.2\nsphere 0 0 0 .9\n");
+    const std::string why = error_of(fresnel + "sphere 0 0 0 1\nior 1.2\nsphere 0 0 0 .9\n");
     INFO(why);
     CHECK(is_nested(why));
     CHECK(why.starts_with("small.scene:8:1: "));
     CHECK(contains(why, "of line 10"));
-    CHECK(is_nested(refusal(glass + "sphere 0 0 0 1\nfresnel exact\nsphere 0 0 0 .9\n")));
-    CHECK(is_nested(refusal(fresnel + "plane 0 0 0 0 1 0\nsphere 0 .5 0 .7\n")));
-    CHECK(is_nested(refusal(fresnel + "sphere 0 0 0 1\ntranslate 1.5 0 0\nscale 2 1 1\nsphere 0 0 0 .5\n")));
+    CHECK(is_nested(error_of(glass + "sphere 0 0 0 1\nfresnel exact\nsphere 0 0 0 .9\n")));
+    CHECK(is_nested(error_of(fresnel + "plane 0 0 0 0 1 0\nsphere 0 .5 0 .7\n")));
+    CHECK(is_nested(error_of(fresnel + "sphere 0 0 0 1\ntranslate 1.5 0 0\nscale 2 1 1\nsphere 0 0 0 .5\n")));
     // Side by side, above the water, without fresnel, or with no bounce at all.
-    CHECK(refusal(fresnel + "sphere 0 0 0 1\nsphere 1.9 1.9 0 1\n").empty());
-    CHECK(refusal(fresnel + "plane 0 0 0 0 1 0\nsphere 0 .8 0 .7\n").empty());
-    CHECK(refusal(glass + "sphere 0 0 0 1\nsphere 0 0 0 .9\n").empty());
-    CHECK(refusal("maxdepth 0\n" + fresnel + "sphere 0 0 0 1\nsphere 0 0 0 .9\n").empty());
+    CHECK(error_of(fresnel + "sphere 0 0 0 1\nsphere 1.9 1.9 0 1\n").empty());
+    CHECK(error_of(fresnel + "plane 0 0 0 0 1 0\nsphere 0 .8 0 .7\n").empty());
+    CHECK(error_of(glass + "sphere 0 0 0 1\nsphere 0 0 0 .9\n").empty());
+    CHECK(error_of("maxdepth 0\n" + fresnel + "sphere 0 0 0 1\nsphere 0 0 0 .9\n").empty());
     // Opaque things are no media, also around the camera: there POV-Ray has to be told.
     CHECK(contains(exported("sphere 0 0 0 20\n" + fresnel + "sphere 0 0 0 1\n"), "{ Material0 } inverse }"));
     CHECK_FALSE(contains(exported("sphere 0 0 0 20\nsphere 0 0 0 1\n"), "inverse"));

@@ -2,13 +2,13 @@
 // one place each counts. The first case of most of these came from the field.
 #include "common/image/file.hpp"
 #include "common/math/error.hpp"
-#include "common/math/input_error.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
 #include "common/world/query.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
+#include "tests/worlds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,23 +21,12 @@ using namespace rt::test;
 
 namespace {
 
-World world_of(const std::string& text) {
-    return compile(parse_scene_text(text, "glass.scene", scratch_directory()));
-}
-
-Image picture(const std::string& text) { return render(world_of(text)).image; }
-
 void write_mesh(const std::string& name, const std::string& text) {
     write_file(std::filesystem::path(scratch_directory()) / name, text);
 }
 
-std::string refusal(const std::string& text) {
-    try {
-        world_of(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "nothing is wrong";
+std::string error_in(const std::string& text) {
+    return test::error_of([&] { world_of(text); });
 }
 
 /// An octahedron whose normals are those of the ball around it: nowhere are smooth triangles flatter.
@@ -66,17 +55,6 @@ std::pair<Real, Real> extremes(const Image& image) {
         if (!(color.x <= found.second)) found.second = color.x;
     }
     return found;
-}
-
-/// Pixels that differ by more than `bound` in some channel.
-int differing(const Image& a, const Image& b, Real bound) {
-    REQUIRE(a.pixels.size() == b.pixels.size());
-    int count = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const Vec3 d = glm::abs(a.pixels[i] - b.pixels[i]);
-        count += !(max_component(d) <= bound);
-    }
-    return count;
 }
 
 /// A view from in front on a checkered floor.
@@ -112,8 +90,8 @@ std::string prism_mesh() {
 TEST_CASE("a closed body of smooth glass in a white world stays white", "[glass]") {
     // Every ray gets out at last, with the weight exp(-0.001 · its way).
     const Image image =
-        picture(white_world(200) + "maxdepth 1000\ntransmission 1 1 1\nior 1.5\nabsorption .001 .001 .001\n" +
-                octahedron());
+        picture_of(white_world(200) +
+                   "maxdepth 1000\ntransmission 1 1 1\nior 1.5\nabsorption .001 .001 .001\n" + octahedron());
     const auto [darkest, brightest] = extremes(image);
     INFO("pixels from " << darkest << " to " << brightest);
     CHECK(darkest > 0.9);
@@ -126,7 +104,7 @@ TEST_CASE("smooth glass that mirrors by Fresnel's law, and air in glass, lose no
     // of what is mirrored inside that is little.
     const std::string cut = "maxdepth 100\nmincontribution 1e-4\ntransmission 1 1 1\n";
     for (const char* what : {"ior 1.5\nfresnel exact\n", "ior 1.5\nfresnel schlick\n", "ior .8\n"}) {
-        const auto [darkest, brightest] = extremes(picture(white_world(80) + cut + what + octahedron()));
+        const auto [darkest, brightest] = extremes(picture_of(white_world(80) + cut + what + octahedron()));
         INFO(what << "pixels from " << darkest << " to " << brightest);
         CHECK(darkest > 0.9);
         CHECK(brightest <= 1 + 1000 * unit_roundoff);
@@ -135,7 +113,7 @@ TEST_CASE("smooth glass that mirrors by Fresnel's law, and air in glass, lose no
 
 TEST_CASE("a smooth mirror in a white world is white: no ray is mirrored into the body", "[glass]") {
     const auto [darkest, brightest] =
-        extremes(picture(white_world(200) + "maxdepth 20\nspecular 1 1 1\n" + octahedron()));
+        extremes(picture_of(white_world(200) + "maxdepth 20\nspecular 1 1 1\n" + octahedron()));
     INFO("pixels from " << darkest << " to " << brightest);
     CHECK(darkest == 1);
     CHECK(brightest == 1);
@@ -145,29 +123,30 @@ TEST_CASE("a smooth mirror in a white world is white: no ray is mirrored into th
 
 TEST_CASE("shells around glass that bend and filter nothing change nothing, however many", "[glass]") {
     const std::string ball = "ior 1.5\nsphere 0 0 0 .3\n";
-    const Image alone = picture(floor_scene + ball);
+    const Image alone = picture_of(floor_scene + ball);
     for (const int count : {8, 16}) {
         std::string shells = "ior 1\n";
         for (int i = 0; i < count; ++i) shells += "sphere 0 0 0 " + std::to_string(1 - 0.04 * i) + "\n";
         INFO(count << " shells");
         // Rays are made unit vectors anew at each shell: a few roundings.
-        CHECK(differing(picture(floor_scene + shells + ball), alone, 1e-12) == 0);
+        CHECK(differing(picture_of(floor_scene + shells + ball), alone, 1e-12) == 0);
     }
 }
 
 // Bodies of several objects -------------------------------------------------------------------------------
 
 TEST_CASE("glass of single triangles that enclose a body looks as the mesh of them does", "[glass]") {
-    const Image mesh = picture(floor_scene + "ior 1.5\n" + prism_place + prism_mesh());
-    CHECK(differing(picture(floor_scene + prism_corners + "ior 1.5\n" + prism_place + prism_of_triangles()),
-                    mesh, 0) == 0);
+    const Image mesh = picture_of(floor_scene + "ior 1.5\n" + prism_place + prism_mesh());
+    CHECK(
+        differing(picture_of(floor_scene + prism_corners + "ior 1.5\n" + prism_place + prism_of_triangles()),
+                  mesh, 0) == 0);
     // With other things between, which take their material and transform from other lines.
     const std::string between =
         "pushTransform\ntranslate 0 0 90\ntransmission 0 0 0\nsphere 0 0 0 1\npopTransform\ntransmission 1 1 "
         "1\n";
     std::string scattered;
     for (const std::string& face : prism_faces) scattered += "tri " + face + "\n" + between;
-    CHECK(differing(picture(floor_scene + prism_corners + "ior 1.5\n" + prism_place + scattered), mesh, 0) ==
+    CHECK(differing(picture_of(floor_scene + prism_corners + "ior 1.5\n" + prism_place + scattered), mesh) ==
           0);
 }
 
@@ -193,27 +172,27 @@ TEST_CASE("smooth triangles enclose a body, too", "[glass]") {
 TEST_CASE("glass that encloses nothing is an error at its line", "[glass]") {
     const std::string head = "camera 0 0 5 0 0 0 0 1 0 40\n" + prism_corners + "transmission 1 1 1\n";
     const std::string why = ": a transparent object without an inside";
-    CHECK(refusal(head + "ior 1.5\n" + prism_of_triangles(7)).find("glass.scene:10:1" + why) == 0);
-    CHECK(refusal(head + "absorption 0 0 1\npolygon 0 1 4 3\n").find("glass.scene:10:1" + why) == 0);
-    CHECK(refusal(head + "ior 1.5\n" + prism_of_triangles(8)) == "nothing is wrong");
+    CHECK(error_in(head + "ior 1.5\n" + prism_of_triangles(7)).find("test.scene:10:1" + why) == 0);
+    CHECK(error_in(head + "absorption 0 0 1\npolygon 0 1 4 3\n").find("test.scene:10:1" + why) == 0);
+    CHECK(error_in(head + "ior 1.5\n" + prism_of_triangles(8)).empty());
     // One face in another material, or in another place.
-    CHECK(refusal(head + "ior 1.5\n" + prism_of_triangles(7) + "ior 1.4\ntri 0 5 3\n").find(why) !=
+    CHECK(error_in(head + "ior 1.5\n" + prism_of_triangles(7) + "ior 1.4\ntri 0 5 3\n").find(why) !=
           std::string::npos);
-    CHECK(refusal(head + "ior 1.5\n" + prism_of_triangles(7) + "translate 0 0 1\ntri 0 5 3\n").find(why) !=
+    CHECK(error_in(head + "ior 1.5\n" + prism_of_triangles(7) + "translate 0 0 1\ntri 0 5 3\n").find(why) !=
           std::string::npos);
     // The same face twice encloses nothing.
-    CHECK(refusal(head + "ior 1.5\ntri 0 1 2\ntri 0 1 2\n").find(why) != std::string::npos);
+    CHECK(error_in(head + "ior 1.5\ntri 0 1 2\ntri 0 1 2\n").find(why) != std::string::npos);
     // Where no ray goes through things, nothing is asked for.
-    CHECK(refusal(head + "maxdepth 0\nior 1.5\ntri 0 1 2\n") == "nothing is wrong");
+    CHECK(error_in(head + "maxdepth 0\nior 1.5\ntri 0 1 2\n").empty());
 }
 
 TEST_CASE("a sheet that only filters needs no inside, and has none", "[glass]") {
     // A pane in the middle of a ball of glass: the ball goes on to be what is around the ray.
     const std::string pane = "ior 1\nvertex -9 -9 0\nvertex 9 -9 0\nvertex 9 9 0\nvertex -9 9 0\n";
     const std::string ball = "ior 1.5\nsphere 0 0 0 .8\n";
-    const Image alone = picture(floor_scene + ball);
-    CHECK(differing(picture(floor_scene + ball + pane + "polygon 0 1 2 3\n"), alone, 1e-12) == 0);
-    CHECK(differing(picture(floor_scene + pane + "tri 0 1 2\ntri 0 2 3\n" + ball), alone, 1e-12) == 0);
+    const Image alone = picture_of(floor_scene + ball);
+    CHECK(differing(picture_of(floor_scene + ball + pane + "polygon 0 1 2 3\n"), alone, 1e-12) == 0);
+    CHECK(differing(picture_of(floor_scene + pane + "tri 0 1 2\ntri 0 2 3\n" + ball), alone, 1e-12) == 0);
 }
 
 // Sheets in one place -------------------------------------------------------------------------------------
@@ -222,7 +201,7 @@ namespace {
 
 /// What arrives at a floor below sheets at height 1, in the red channel.
 Real below(const std::string& sheets) {
-    return picture(
+    return picture_of(
                "size 1 1\ncamera 0 .5 5 0 0 0 0 1 0 1\nmaxdepth 0\nambient 0 0 0\ndiffuse 1 1 1\n"
                "directional 0 1 0 1 1 1\nplane 0 0 0 0 1 0\ndiffuse 0 0 0\n"
                "vertex -9 1 -9\nvertex 9 1 -9\nvertex 9 1 9\nvertex -9 1 9\n" +

@@ -25,6 +25,7 @@ namespace rt {
 namespace {
 
 namespace fs = std::filesystem;
+using test::error_of;
 
 /// An empty directory that is gone at the end of the test.
 struct Directory {
@@ -51,17 +52,6 @@ struct Directory {
 std::string content_of(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// The line of the InputError that `action` throws; empty if it throws none.
-template <typename Action>
-std::string error_of(Action action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
 }
 
 std::string read_error(const fs::path& path) {

@@ -1,8 +1,8 @@
 // Meshes from `.obj` files: what is read, how polygons are cut, and what is refused.
 #include "common/scene/mesh_file.hpp"
 
-#include "common/math/input_error.hpp"
 #include "tests/catch.hpp"
+#include "tests/support.hpp"
 
 using namespace rt;
 
@@ -11,12 +11,7 @@ namespace {
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 std::string error_of(const std::string& text, const MeshOptions& options = {}) {
-    try {
-        parse_mesh(text, "m", options);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return test::error_of([&] { parse_mesh(text, "m", options); });
 }
 
 Real area(const Mesh& mesh) {

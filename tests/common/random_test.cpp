@@ -2,31 +2,16 @@
 #include "common/math/random.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/chi_square.hpp"
 #include "tests/support.hpp"
 
 #include <set>
 #include <vector>
 
 using rt::Random, rt::Real, rt::random_for, rt::random_real, rt::random_index;
-using rt::test::cases;
+using rt::test::cases, rt::test::chi_square, rt::test::chi_square_limit;
 
 namespace {
-
-/// Pearson's χ² of counts that should be equal.
-Real chi_square(const std::vector<int>& counts) {
-    Real all = 0, sum = 0;
-    for (const int count : counts) all += count;
-    const Real expected = all / static_cast<Real>(counts.size());
-    for (const int count : counts) sum += (count - expected) * (count - expected) / expected;
-    return sum;
-}
-
-/// What χ² of so many classes exceeds once in ten million times (Wilson & Hilferty 1931, normal
-/// quantile 5.2).
-Real limit(std::size_t classes) {
-    const Real f = static_cast<Real>(classes - 1), root = 1 - 2 / (9 * f) + 5.2 * std::sqrt(2 / (9 * f));
-    return f * root * root * root;
-}
 
 /// Whether pairs of numbers fill the 16 × 16 fields of a square evenly.
 template <class Pair>
@@ -36,7 +21,7 @@ void check_pairs(Pair pair) {
         const rt::Vec2 place = pair(static_cast<std::uint64_t>(i));
         ++counts[static_cast<std::size_t>(16 * place.x) * 16 + static_cast<std::size_t>(16 * place.y)];
     }
-    CHECK(chi_square(counts) < limit(256));
+    CHECK(chi_square(counts) < chi_square_limit(256));
 }
 
 Real first_of(std::uint64_t seed, std::uint64_t pixel, std::uint64_t sample) {
@@ -122,7 +107,7 @@ TEST_CASE("random indices are each as likely as any other") {
         REQUIRE(index < 7);
         ++counts[index];
     }
-    CHECK(chi_square(counts) < limit(7));
+    CHECK(chi_square(counts) < chi_square_limit(7));
     CHECK(random_index(random, 1) == 0);
     CHECK(random_index(random, std::uint64_t(1) << 52) < std::uint64_t(1) << 52);
 }

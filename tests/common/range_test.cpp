@@ -2,12 +2,12 @@
 // of range the scene is refused at its line. The first case of most of these came from the field.
 #include "common/scene/range.hpp"
 #include "common/image/file.hpp"
-#include "common/math/input_error.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
+#include "tests/worlds.hpp"
 
 #include <fmt/format.h>
 
@@ -22,32 +22,12 @@ using namespace rt::test;
 
 namespace {
 
-World world_of(const std::string& text) {
-    return compile(parse_scene_text(text, "range.scene", scratch_directory()));
+std::string error_in(const std::string& text) {
+    return test::error_of([&] { world_of(text); });
 }
-
-Image picture(const std::string& text) { return render(world_of(text)).image; }
-
-std::string refusal(const std::string& text) {
-    try {
-        world_of(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "nothing is wrong";
-}
-
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 const std::string camera = "size 20 20\ncamera .3 .2 5 0 0 0 0 1 0 20\nbackground 0 0 1\n";
 const std::string lit = "ambient 0 0 0\ndiffuse 1 1 1\nshadows off\ndirectional 0 0 1 1 1 1\n";
-
-int differing(const Image& a, const Image& b) {
-    REQUIRE(a.pixels.size() == b.pixels.size());
-    int count = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) count += a.pixels[i] != b.pixels[i];
-    return count;
-}
 
 int white_pixels(const Image& image) {
     return static_cast<int>(std::count(image.pixels.begin(), image.pixels.end(), Vec3(1)));
@@ -61,23 +41,23 @@ TEST_CASE("a plane's normal may have any length but 0", "[range]") {
     for (const char* z : {"1e200", "1e-200", "1.7e308", "5e-324", "-1e200"})
         for (const char* transform : {"", "scale 1e10 1e10 1e10\n", "scale 1 2 1e-10\n"}) {
             INFO("normal 0 0 " << z << ", " << transform);
-            CHECK(white_pixels(picture(camera + lit + transform + "plane 0 0 0 0 0 " + z + "\n")) == 400);
+            CHECK(white_pixels(picture_of(camera + lit + transform + "plane 0 0 0 0 0 " + z + "\n")) == 400);
         }
     // A power of two changes no bit.
-    const Image one = picture(camera + lit + "plane 0 0 -1 .3 .4 1.7\n");
+    const Image one = picture_of(camera + lit + "plane 0 0 -1 .3 .4 1.7\n");
     for (const int k : {-900, -3, 2, 900}) {
         const std::string normal =
             fmt::format("{} {} {}", std::ldexp(.3, k), std::ldexp(.4, k), std::ldexp(1.7, k));
-        CHECK(differing(picture(camera + lit + "plane 0 0 -1 " + normal + "\n"), one) == 0);
+        CHECK(differing(picture_of(camera + lit + "plane 0 0 -1 " + normal + "\n"), one) == 0);
     }
 }
 
 TEST_CASE("a camera may look at a near point or a far one, with an up direction of any length", "[range]") {
     const std::string ball = "integrator normals\nsphere .2 .1 -5 1\n", rest = " 40\nsize 20 20\n";
     const auto look = [&](int at, int up) {
-        return picture(fmt::format("camera 0 0 0 {} {} {} 0 {} 0", std::ldexp(.25, at), std::ldexp(.5, at),
-                                   -std::ldexp(1., at), std::ldexp(1., up)) +
-                       rest + ball);
+        return picture_of(fmt::format("camera 0 0 0 {} {} {} 0 {} 0", std::ldexp(.25, at), std::ldexp(.5, at),
+                                      -std::ldexp(1., at), std::ldexp(1., up)) +
+                          rest + ball);
     };
     const Image expected = look(0, 0);
     for (const int at : {-1060, -600, -20, 90})
@@ -137,12 +117,12 @@ void write_pyramid() {
 
 TEST_CASE("a scene has the same picture at every scale that is possible, with every accelerator", "[range]") {
     write_pyramid();
-    const Image expected = picture(everything(1, "accelerator none\n"));
+    const Image expected = picture_of(everything(1, "accelerator none\n"));
     CHECK(std::count(expected.pixels.begin(), expected.pixels.end(), Vec3(0.2, 0.3, 0.4)) < 600);
     // The longest length is 7 and the shortest half-axis 0.25: 7·2^96 < 1e30 and 0.25·2^-96 > 1e-30.
     for (const int k : {-96, -70, -31, 31, 70, 96})
         for (const char* accelerator : {"accelerator none\n", "accelerator grid\n", "accelerator nested\n"}) {
-            const Image image = picture(everything(std::ldexp(Real(1), k), accelerator));
+            const Image image = picture_of(everything(std::ldexp(Real(1), k), accelerator));
             INFO("lengths times 2^" << k << ", " << accelerator);
             CHECK(differing(image, expected) == 0);
         }
@@ -159,10 +139,10 @@ TEST_CASE("so do the other integrators and a parallel projection", "[range]") {
                    s / 2, s);
     };
     for (const char* integrator : {"normals", "rasterize", "uv", "flat"}) {
-        const Image expected = picture(text(integrator, 1));
+        const Image expected = picture_of(text(integrator, 1));
         for (const int k : {-96, 96}) {
             INFO(integrator << " at 2^" << k);
-            CHECK(differing(picture(text(integrator, std::ldexp(Real(1), k))), expected) == 0);
+            CHECK(differing(picture_of(text(integrator, std::ldexp(Real(1), k))), expected) == 0);
         }
     }
 }
@@ -178,11 +158,11 @@ TEST_CASE("triangles and balls far out and very small", "[range]") {
         const std::string ball =
             "size 1 1\ncamera 0 0" + l("5") + " 0 0 0 0 1 0 20\n" + look + "sphere 0 0 0" + l("1") + "\n";
         INFO("times 1" << power);
-        CHECK(white_pixels(picture(triangle)) == 6);
-        CHECK(white_pixels(picture(ball)) == 1);
+        CHECK(white_pixels(picture_of(triangle)) == 6);
+        CHECK(white_pixels(picture_of(ball)) == 1);
     }
-    CHECK(refusal("size 3 3\ncamera 0 1e120 5e120 0 0 0 0 1 0 60\n") ==
-          "range.scene:2:10: coordinates beyond 1e+30 are not possible, and this is 1e+120");
+    CHECK(error_in("size 3 3\ncamera 0 1e120 5e120 0 0 0 0 1 0 60\n") ==
+          "test.scene:2:10: coordinates beyond 1e+30 are not possible, and this is 1e+120");
 }
 
 // What is refused -----------------------------------------------------------------------------------------
@@ -227,9 +207,9 @@ TEST_CASE("what is out of range is an error at its line", "[range]") {
         {"camera 0 0 5 0 0 0 0 1 0 1e-9\n", ":2:26: the field of view must be at least 1e-6 degrees"},
     };
     for (const Case& one : cases) {
-        const std::string actual = refusal("camera 0 0 5 0 0 0 0 1 0 40\n" + one.commands);
-        INFO(one.commands << "expected: range.scene" << one.expected << "\nactual:   " << actual);
-        CHECK(actual.starts_with("range.scene" + one.expected));
+        const std::string actual = error_in("camera 0 0 5 0 0 0 0 1 0 40\n" + one.commands);
+        INFO(one.commands << "expected: test.scene" << one.expected << "\nactual:   " << actual);
+        CHECK(actual.starts_with("test.scene" + one.expected));
     }
 }
 
@@ -237,11 +217,11 @@ TEST_CASE("a mesh out of range is refused where it is shown", "[range]") {
     write_file(std::filesystem::path(scratch_directory()) / "range_far.obj",
                "v 0 0 0\nv 1e50 0 0\nv 0 1e50 0\nf 1 2 3\n");
     const std::string head = "camera 0 0 5 0 0 0 0 1 0 40\n";
-    CHECK(refusal(head + "mesh range_far.obj\n").starts_with("range.scene:2:1: coordinates beyond 1e+30"));
-    CHECK(refusal(head + "mesh range_far.obj\nmesh range_far.obj\n")
-              .starts_with("range.scene:2:1: coordinates beyond 1e+30"));
+    CHECK(error_in(head + "mesh range_far.obj\n").starts_with("test.scene:2:1: coordinates beyond 1e+30"));
+    CHECK(error_in(head + "mesh range_far.obj\nmesh range_far.obj\n")
+              .starts_with("test.scene:2:1: coordinates beyond 1e+30"));
     // Shown once it takes the transform into its corners, and these are in range.
-    CHECK(refusal(head + "scale 1e-25 1e-25 1e-25\nmesh range_far.obj\n") == "nothing is wrong");
+    CHECK(error_in(head + "scale 1e-25 1e-25 1e-25\nmesh range_far.obj\n").empty());
 }
 
 TEST_CASE("what is in range, but only just, is drawn", "[range]") {
@@ -253,7 +233,7 @@ TEST_CASE("what is in range, but only just, is drawn", "[range]") {
           "vertex 1 1 1\ntri 0 0 0\n", "orthographic 3\nsphere 0 0 -1e15 1e-5\n",
           "maxdepth 40\nspecular 2 2 2\nsphere 0 0 0 1\n", "plane 0 0 0 0 1 1e-300\n"}) {
         INFO(commands);
-        CHECK(refusal(head + commands) == "nothing is wrong");
+        CHECK(error_in(head + commands).empty());
     }
 }
 
@@ -261,7 +241,7 @@ TEST_CASE("what is in range, but only just, is drawn", "[range]") {
 
 TEST_CASE("a ball flattened to a disc is one, or is refused", "[range]") {
     for (const char* thin : {"1e-4", "1e-6", "1e-8", "1e-9"}) {
-        const Image image = picture(camera + lit + "scale 10 10 " + thin + "\nsphere 0 0 0 1\n");
+        const Image image = picture_of(camera + lit + "scale 10 10 " + thin + "\nsphere 0 0 0 1\n");
         // Its normals lean by 1e-6 at most where the picture shows it, and their cosines differ by the
         // square.
         const auto right = [](const Vec3& color) {
@@ -270,16 +250,16 @@ TEST_CASE("a ball flattened to a disc is one, or is refused", "[range]") {
         INFO("flattened to " << thin);
         CHECK(std::count_if(image.pixels.begin(), image.pixels.end(), right) == 400);
     }
-    CHECK(refusal(camera + lit + "scale 10 10 1e-18\nsphere 0 0 0 1\n")
-              .starts_with("range.scene:9:1: a ball that is flattened too much"));
+    CHECK(error_in(camera + lit + "scale 10 10 1e-18\nsphere 0 0 0 1\n")
+              .starts_with("test.scene:9:1: a ball that is flattened too much"));
 }
 
 TEST_CASE("the rim of a flat disc lies where that of a round plate does", "[range]") {
     // Seen from in front, a ball flattened along the view has the same outline whatever its thickness.
     const std::string look = "size 200 200\nintegrator flat\nambient 1 1 1\ncamera 0 0 5 0 0 0 0 1 0 30\n";
-    const Image plate = picture(look + "scale 1 1 1e-5\nsphere 0 0 0 1\n");
+    const Image plate = picture_of(look + "scale 1 1 1e-5\nsphere 0 0 0 1\n");
     for (const char* thin : {"1e-8", "1e-9", "2e-10"}) {
-        const Image disc = picture(look + "scale 1 1 " + thin + "\nsphere 0 0 0 1\n");
+        const Image disc = picture_of(look + "scale 1 1 " + thin + "\nsphere 0 0 0 1\n");
         INFO("flattened to " << thin);
         CHECK(differing(disc, plate) == 0);
     }
@@ -290,9 +270,9 @@ TEST_CASE("the rim of a flat disc lies where that of a round plate does", "[rang
 TEST_CASE("a ball that is nothing beside its distance shows its front", "[range]") {
     // The only ray runs through its centre, exactly.
     for (const char* radius : {"1e-3", "1", "1e2"}) {
-        const Image image = picture(std::string("size 1 1\nintegrator normals\nbackground 0 0 0\n"
-                                                "camera 0 0 1e19 0 0 0 0 1 0 40\nsphere 0 0 0 ") +
-                                    radius + "\n");
+        const Image image = picture_of(std::string("size 1 1\nintegrator normals\nbackground 0 0 0\n"
+                                                   "camera 0 0 1e19 0 0 0 0 1 0 40\nsphere 0 0 0 ") +
+                                       radius + "\n");
         INFO("radius " << radius << " at 1e19");
         CHECK(image.pixels[0] == Vec3(0.5, 0.5, 1));
     }
@@ -310,8 +290,8 @@ TEST_CASE("the smallest things beside the largest, and the strongest light, give
     for (const char* more : {"", "spp 4\n", "accelerator grid\n"}) {
         int bad = 0;
         bool bright = false;
-        for (const Vec3& color : picture(more + things).pixels) {
-            bad += !finite(color);
+        for (const Vec3& color : picture_of(more + things).pixels) {
+            bad += !is_finite(color);
             bright = bright || color.x > 1e30;
         }
         INFO(more);

@@ -6,6 +6,7 @@
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
+#include "tests/worlds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +19,8 @@ const std::string ball =
     "size 48 36\ncamera 0 1 6 0 0 0 0 1 0 40\nbackground .125 .25 .5\nambient .75 .5 .25\nsphere 0 0 0 1\n"
     "ambient .25 .5 .75\nsphere 1 1 -1 .75\n";
 
-World world_of(const std::string& text) { return compile(parse_scene_text(text, "s")); }
-
 RenderResult draw(const std::string& text, const RenderOptions& options = {}) {
-    return render(world_of(text), options);
+    return render(test::world_of(text), options);
 }
 
 Real rms(const Image& a, const Image& b) {
@@ -39,7 +38,7 @@ TEST_CASE("one sample a pixel draws no random number and casts one ray through e
     // Whatever the scene says of the pattern.
     for (const char* more :
          {"", "spp 1\nsampler random\n", "spp 1\nsampler poisson\nseed 7\nadaptive off\n"}) {
-        const World world = world_of(ball + more);
+        const World world = test::world_of(ball + more);
         CHECK_FALSE(world.needs.samples);
         const RenderResult result = render(world);
         CHECK(result.rays.random_numbers == 0);
@@ -132,7 +131,7 @@ TEST_CASE("the estimated error is the true one within a factor of 1.5", "[sample
             rms(result.image, std::string(more).starts_with("filter") ? smooth : truth) / *result.rms_error;
         // Patterns that are not random have no independent ones to be compared with; in a small picture they
         // may be lucky, too. (The chapter's scenes are within 1.5: the tour.)
-        const Sampler sampler = world_of(ball + more).sampling.sampler;
+        const Sampler sampler = test::world_of(ball + more).sampling.sampler;
         const bool random =
             sampler == Sampler::Random || sampler == Sampler::Jittered || sampler == Sampler::Poisson;
         const Real gate = random ? 1.5 : 2.5;

@@ -9,6 +9,7 @@
 #include "common/world/query.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
+#include "tests/worlds.hpp"
 
 #include <cmath>
 
@@ -16,16 +17,15 @@ using namespace rt;
 
 namespace {
 
-World world_of(const std::string& text) {
-    return compile(parse_scene_text("camera 0 0 5  0 0 0  0 1 0  40\n" + text, "scan_convert_test.scene"));
-}
+/// Seen from (0, 0, 5).
+World seen(const std::string& text) { return test::world_of("camera 0 0 5  0 0 0  0 1 0  40\n" + text); }
 
 World knot(const std::string& more = "") {
-    return compile(
-        parse_scene_text("size 160 120\nintegrator normals\nmesh knot_smooth.obj\n"
-                         "camera 1.5 -4.5 8.5  0 -.1 0  0 1 0  42\n" +
-                             more,
-                         "knot.scene", test::repository() + "/references/03_triangles"));
+    return test::world_of(
+        "size 160 120\nintegrator normals\nmesh knot_smooth.obj\n"
+        "camera 1.5 -4.5 8.5  0 -.1 0  0 1 0  42\n" +
+            more,
+        test::repository() + "/references/03_triangles");
 }
 
 std::vector<std::optional<Hit>> cast_rays(const World& world) {
@@ -120,7 +120,7 @@ TEST_CASE("scan conversion and ray casting paint the same picture") {
 TEST_CASE("a triangle that reaches behind the eye covers the pixels that see it") {
     // A ground that begins far behind the eye: everything below the horizon.
     const World ground =
-        world_of("size 64 48\nvertex 0 -1 -1e6\nvertex -1e6 -1 1e3\nvertex 1e6 -1 1e3\ntri 0 1 2\n");
+        seen("size 64 48\nvertex 0 -1 -1e6\nvertex -1e6 -1 1e3\nvertex 1e6 -1 1e3\ntri 0 1 2\n");
     const auto hits = scan_convert(ground);
     CHECK_FALSE(hits[0]);
     CHECK(hits.back());
@@ -129,22 +129,22 @@ TEST_CASE("a triangle that reaches behind the eye covers the pixels that see it"
 
 TEST_CASE("what lies behind the eye is not drawn") {
     const std::string triangle = "size 8 8\nvertex -50 -50 9\nvertex 50 -50 9\nvertex 0 80 9\ntri 0 1 2\n";
-    for (const auto& hit : scan_convert(world_of(triangle))) REQUIRE_FALSE(hit);
-    for (const auto& hit : scan_convert(world_of(triangle + "orthographic 4\n"))) REQUIRE_FALSE(hit);
+    for (const auto& hit : scan_convert(seen(triangle))) REQUIRE_FALSE(hit);
+    for (const auto& hit : scan_convert(seen(triangle + "orthographic 4\n"))) REQUIRE_FALSE(hit);
 }
 
 TEST_CASE("of equally near triangles the first in the file is drawn") {
     const std::string both =
         "size 8 8\nvertex -5 -5 0\nvertex 5 -5 0\nvertex 0 8 0\n"
         "tri 0 1 2\ntri 0 1 2\n";
-    for (const auto& hit : scan_convert(world_of(both))) {
+    for (const auto& hit : scan_convert(seen(both))) {
         REQUIRE(hit);
         REQUIRE(hit->primitive == 0);
     }
 }
 
 TEST_CASE("t is the distance along the pixel's ray, not the depth") {
-    const World world = world_of("size 9 9\nvertex -50 -50 0\nvertex 50 -50 0\nvertex 0 80 0\ntri 0 1 2\n");
+    const World world = seen("size 9 9\nvertex -50 -50 0\nvertex 50 -50 0\nvertex 0 80 0\ntri 0 1 2\n");
     const auto hits = scan_convert(world);
     REQUIRE(hits[40]);
     CHECK(hits[40]->t == Approx(5).epsilon(1e-14));
@@ -156,15 +156,15 @@ TEST_CASE("t is the distance along the pixel's ray, not the depth") {
 
 TEST_CASE("a triangle seen edge-on is not drawn") {
     const std::string edge_on = "size 9 9\nvertex 0 -5 0\nvertex 0 5 0\nvertex 0 0 3\ntri 0 1 2\n";
-    for (const auto& hit : scan_convert(world_of(edge_on))) REQUIRE_FALSE(hit);
-    for (const auto& hit : scan_convert(world_of(edge_on + "orthographic 4\n"))) REQUIRE_FALSE(hit);
+    for (const auto& hit : scan_convert(seen(edge_on))) REQUIRE_FALSE(hit);
+    for (const auto& hit : scan_convert(seen(edge_on + "orthographic 4\n"))) REQUIRE_FALSE(hit);
 }
 
 TEST_CASE("scan conversion refuses other shapes than triangles") {
-    CHECK_THROWS_AS(scan_convert(world_of("sphere 0 0 0 1\n")), InputError);
+    CHECK_THROWS_AS(scan_convert(seen("sphere 0 0 0 1\n")), InputError);
 }
 
 TEST_CASE("an empty world is an empty picture") {
-    World world = world_of("size 4 3\nbackground .25 .5 .75\n");
+    World world = seen("size 4 3\nbackground .25 .5 .75\n");
     for (const Vec3& color : rasterize(world).pixels) REQUIRE(color == Vec3(0.25, 0.5, 0.75));
 }

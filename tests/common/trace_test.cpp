@@ -6,6 +6,7 @@
 #include "common/render/shade.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
+#include "tests/worlds.hpp"
 
 #include <algorithm>
 
@@ -38,14 +39,12 @@ absorption .3 .1 .2
 sphere 1.1 .4 .5 .9
 )";
 
-World world_of(const char* text) { return compile(parse_scene_text(text, "test.scene")); }
-
 Ray ray_of(const World& world, int x, int y) { return pixel_ray(world.view, x + 0.5, y + 0.5); }
 
 }  // namespace
 
 TEST_CASE("the sum over a recorded tree is the pixel's colour") {
-    const World world = world_of(balls);
+    const World world = test::world_of(balls);
     std::size_t deepest = 0;
     for (int y = 0; y < world.view.height; ++y)
         for (int x = 0; x < world.view.width; ++x) {
@@ -65,7 +64,7 @@ TEST_CASE("the sum over a recorded tree is the pixel's colour") {
 }
 
 TEST_CASE("a recorded tree says who spawned whom, and how deep") {
-    const World world = world_of(balls);
+    const World world = test::world_of(balls);
     const std::vector<TraceRecord> tree = trace_tree(world, ray_of(world, 33, 15));
     REQUIRE(tree.size() > 3);
     CHECK(tree[0].parent == -1);
@@ -80,7 +79,7 @@ TEST_CASE("a recorded tree says who spawned whom, and how deep") {
 }
 
 TEST_CASE("a recorded tree ends where it is told to, with the rays that it would begin with") {
-    const World world = world_of(balls);
+    const World world = test::world_of(balls);
     const Ray ray = ray_of(world, 33, 15);
     const std::vector<TraceRecord> whole = trace_tree(world, ray), part = trace_tree(world, ray, 3);
     REQUIRE(whole.size() > 3);
@@ -92,7 +91,7 @@ TEST_CASE("a recorded tree ends where it is told to, with the rays that it would
 }
 
 TEST_CASE("decisions change where something else is hit, and not inside of one surface") {
-    const World world = world_of(R"(size 9 9
+    const World world = test::world_of(R"(size 9 9
 camera 0 0 5  0 0 0  0 1 0  45
 ambient .5 .5 .5
 sphere 0 0 0 1
@@ -105,7 +104,7 @@ sphere 0 0 0 1
 }
 
 TEST_CASE("decisions change at the edge of a shadow and at the edge of a square") {
-    const World lit = world_of(R"(version 1
+    const World lit = test::world_of(R"(version 1
 size 40 40
 camera 0 6 0.001  0 0 0  0 0 -1  45
 point 0 4 0  1 1 1
@@ -120,7 +119,7 @@ sphere 0 2 0 .5
     // The ball where it faces the light and where it does not, the ground in the light and in the shadow.
     CHECK(different(decisions(lit)) == 4);
 
-    const World checkered = world_of(R"(version 1
+    const World checkered = test::world_of(R"(version 1
 size 40 40
 camera 0 6 0.001  0 0 0  0 0 -1  45
 integrator flat

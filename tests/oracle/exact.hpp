@@ -1,10 +1,21 @@
-// Vectors over a ring of exact numbers, for the oracle's own .cpp files.
-// The ring comes from CGAL, which stays in those files.
+// Exact numbers, and vectors of them or of other rings: for the oracle's own .cpp files, in which CGAL stays.
 #pragma once
 
 #include "common/math/vec.hpp"
 
+#include <CGAL/Mpzf.h>
+#ifndef CGAL_HAS_MPZF
+#include <CGAL/Gmpzf.h>
+#endif
+
 namespace rt::oracle {
+
+/// Whole numbers times a power of two: every double is one, and so are sums and products.
+#ifdef CGAL_HAS_MPZF
+using Exact = CGAL::Mpzf;
+#else
+using Exact = CGAL::Gmpzf;
+#endif
 
 template <class Number>
 struct ExactVec3 {

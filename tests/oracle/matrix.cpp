@@ -3,20 +3,9 @@
 
 #include "tests/oracle/exact.hpp"
 
-#include <CGAL/Mpzf.h>
-
-#ifndef CGAL_HAS_MPZF
-#include <CGAL/Gmpzf.h>
-#endif
-
 namespace rt::oracle {
 namespace {
 
-#ifdef CGAL_HAS_MPZF
-using Exact = CGAL::Mpzf;
-#else
-using Exact = CGAL::Gmpzf;
-#endif
 using Vec = ExactVec3<Exact>;
 
 Vec row(const Mat4& m, int r) { return Vec(Vec3(m[0][r], m[1][r], m[2][r])); }

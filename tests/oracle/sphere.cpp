@@ -5,14 +5,9 @@
 #include "tests/oracle/exact.hpp"
 
 #include <CGAL/Gmpq.h>
-#include <CGAL/Mpzf.h>
 #include <CGAL/Root_of_traits.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
-
-#ifndef CGAL_HAS_MPZF
-#include <CGAL/Gmpzf.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -20,12 +15,6 @@
 namespace rt::oracle {
 namespace {
 
-// Whole numbers times a power of two: every double is one, and so are sums and products.
-#ifdef CGAL_HAS_MPZF
-using Exact = CGAL::Mpzf;
-#else
-using Exact = CGAL::Gmpzf;
-#endif
 using Vec = ExactVec3<Exact>;
 using Rational = CGAL::Simple_cartesian<CGAL::Gmpq>;
 

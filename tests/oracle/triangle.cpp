@@ -6,12 +6,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
-#include <CGAL/Mpzf.h>
 #include <CGAL/intersections.h>
-
-#ifndef CGAL_HAS_MPZF
-#include <CGAL/Gmpzf.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +14,6 @@
 namespace rt::oracle {
 namespace {
 
-// Whole numbers times a power of two: every double is one, and so are sums and products.
-#ifdef CGAL_HAS_MPZF
-using Exact = CGAL::Mpzf;
-#else
-using Exact = CGAL::Gmpzf;
-#endif
 using Vec = ExactVec3<Exact>;
 
 bool is_zero(const Vec& v) { return CGAL::is_zero(v.x) && CGAL::is_zero(v.y) && CGAL::is_zero(v.z); }

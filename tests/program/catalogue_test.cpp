@@ -1,8 +1,8 @@
 // chapter.json is read strictly, and every complaint names file and key.
 #include "common/workbook/catalogue.hpp"
 #include "common/math/input_error.hpp"
-#include "tests/program/sandbox.hpp"
 #include "tests/catch.hpp"
+#include "tests/program/sandbox.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -14,12 +14,7 @@ namespace {
 std::string error_of(const json& chapter) {
     const Project project = test::sandbox("catalogue");
     test::add_chapter(project, "02_spheres", chapter.dump());
-    try {
-        read_catalogue(project);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+    return test::error_of([&] { read_catalogue(project); });
 }
 
 json good() { return json::parse(test::good_chapter); }

@@ -2,7 +2,6 @@
 #include "common/image/whole_file.hpp"
 #include "common/workbook/exercise.hpp"
 #include "common/terminal/project.hpp"
-#include "common/math/input_error.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
@@ -74,12 +73,7 @@ int g(int a) {
 
 /// The message that the generator has for a file of these lines.
 std::string error_of(const std::string& text) {
-    try {
-        exercise_text(text, "x.cpp");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+    return test::error_of([&] { exercise_text(text, "x.cpp"); });
 }
 
 std::string with_includes(const std::string& includes) {

@@ -1,7 +1,7 @@
 // Known mistakes are applied to solutions, and refused where they no longer fit.
 #include "common/workbook/mistake.hpp"
-#include "common/math/input_error.hpp"
 #include "tests/catch.hpp"
+#include "tests/support.hpp"
 
 using namespace rt;
 
@@ -24,12 +24,7 @@ why  The roots are not sorted.
 )";
 
 std::string error_of(const std::string& text, const std::string& solution = "") {
-    try {
-        apply_mistake(parse_mistake(text, "m.mistake"), solution, "m.mistake");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+    return test::error_of([&] { apply_mistake(parse_mistake(text, "m.mistake"), solution, "m.mistake"); });
 }
 
 std::string without(std::string text, const std::string& part) {

@@ -1,17 +1,18 @@
 // Program `report_data`: measures what `course report` shows, and writes it as JSON.
 //   report_data [--quick] -o FILE [kernels] [pictures] [grids] [stability]
-#include "common/terminal/console.hpp"
 #include "common/image/file.hpp"
+#include "common/math/stopwatch.hpp"
+#include "common/terminal/console.hpp"
 #include "tests/report/families.hpp"
 #include "tests/report/grids.hpp"
 #include "tests/report/kernels.hpp"
 #include "tests/report/pictures.hpp"
+#include "tests/support.hpp"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace rt::report {
@@ -141,9 +142,9 @@ Json to_json(const std::vector<FamilyRow>& rows) {
 template <class Measure>
 void measure(Json& data, const std::string& name, const std::string& label, Measure part) {
     Progress progress(label);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     data[name] = to_json(part([&](double done) { progress.update(done); }));
-    data["seconds"][name] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    data["seconds"][name] = watch.seconds();
 }
 
 int run(std::vector<std::string> arguments) {
@@ -170,7 +171,7 @@ int run(std::vector<std::string> arguments) {
         });
     if (take("pictures"))
         measure(data, "pictures", "pictures", [&](const Told& told) {
-            return measure_pictures(COURSE_SOURCE_DIR, quick ? quick_pictures() : PictureOptions{}, told);
+            return measure_pictures(test::repository(), quick ? quick_pictures() : PictureOptions{}, told);
         });
     if (take("grids"))
         measure(data, "grids", "grids", [&](const Told& told) {

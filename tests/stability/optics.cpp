@@ -11,6 +11,7 @@
 namespace rt::stability {
 namespace {
 
+using test::many;
 using test::Random;
 
 /// Stands for exact arithmetic: 11 more bits than Real where `long double` is the 80-bit format.
@@ -54,15 +55,6 @@ InterfaceCase at_sine(Random& random, Real sine, Real eta) {
 }
 InterfaceCase at_cosine(Random& random, Real cosine, Real eta) {
     return at_angle(random, std::sqrt((1 - cosine) * (1 + cosine)), cosine, eta);
-}
-
-template <class Make>
-std::vector<InterfaceCase> many(std::size_t count, std::uint64_t seed, Make make) {
-    Random random(seed);
-    std::vector<InterfaceCase> cases;
-    cases.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) cases.push_back(make(random));
-    return cases;
 }
 
 std::vector<InterfaceCase> all_angles(std::size_t count, std::uint64_t seed) {

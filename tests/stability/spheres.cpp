@@ -12,6 +12,7 @@
 namespace rt::stability {
 namespace {
 
+using test::many;
 using test::Random;
 
 // 4 ulp, as a relative error: an ulp is at most 2u.
@@ -19,26 +20,13 @@ constexpr Real band = 8 * unit_roundoff;
 
 // --------------------------------------------------------------------------------------------- families
 
-Real sign(Random& random) { return random.index(2) == 0 ? -1 : 1; }
-
-Vec3 perpendicular_to(const Vec3& v, Random& random) { return normalize(cross(v, random.direction())); }
-
 /// A ray from `distance` away towards a point beside the centre, `offset` away from it.
 SphereCase aimed(Random& random, Real radius, Real distance, Real offset, Real length) {
     const Vec3 direction = random.direction();
     const Sphere sphere{distance * random.in_cube(), radius};
     const Vec3 origin = sphere.center - distance * direction;
-    const Vec3 target = sphere.center + offset * perpendicular_to(direction, random);
+    const Vec3 target = sphere.center + offset * random.perpendicular_to(direction);
     return {sphere, {origin, (target - origin) * (length / distance)}};
-}
-
-template <class Make>
-std::vector<SphereCase> many(std::size_t count, std::uint64_t seed, Make make) {
-    Random random(seed);
-    std::vector<SphereCase> cases;
-    cases.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) cases.push_back(make(random));
-    return cases;
 }
 
 std::vector<SphereCase> far(std::size_t count, std::uint64_t seed) {
@@ -51,7 +39,7 @@ std::vector<SphereCase> far(std::size_t count, std::uint64_t seed) {
 
 std::vector<SphereCase> tiny_and_huge(std::size_t count, std::uint64_t seed) {
     return many(count, seed, [](Random& random) {
-        const Real radius = random.uniform(1, 2) * (sign(random) > 0 ? 1e12 : 1e-12);
+        const Real radius = random.uniform(1, 2) * (random.sign() > 0 ? 1e12 : 1e-12);
         const Real distance = radius * random.magnitude(0, 8);
         return aimed(random, radius, distance, radius * random.uniform(0, 1.2), random.uniform(0.5, 2));
     });
@@ -85,8 +73,8 @@ std::vector<SphereCase> tangent(std::size_t count, std::uint64_t seed) {
         // Along an axis the offset is exact.
         const int axis = static_cast<int>(random.index(3)), other = (axis + 1) % 3;
         Ray ray{Vec3(0), Vec3(0)};
-        ray.origin[axis] = -sign(random) * distance;
-        ray.origin[other] = sign(random) * offset;
+        ray.origin[axis] = -random.sign() * distance;
+        ray.origin[other] = random.sign() * offset;
         ray.direction[axis] = -std::copysign(random.uniform(0.5, 2), ray.origin[axis]);
         return SphereCase{{Vec3(0), radius}, ray};
     });
@@ -96,7 +84,7 @@ std::vector<SphereCase> long_and_short_directions(std::size_t count, std::uint64
     return many(count, seed, [](Random& random) {
         const Real radius = random.magnitude(-1, 1);
         const Real distance = radius * random.magnitude(0, 8);
-        const Real length = random.uniform(1, 2) * (sign(random) > 0 ? 1e20 : 1e-20);
+        const Real length = random.uniform(1, 2) * (random.sign() > 0 ? 1e20 : 1e-20);
         return aimed(random, radius, distance, radius * random.uniform(0, 1.2), length);
     });
 }
@@ -176,18 +164,6 @@ std::string answered(const Roots& roots) {
            stability::literal(roots.t1);
 }
 
-void count_mismatch(Verdict& verdict, const std::string& what) {
-    if (verdict.mismatches++ == 0) verdict.first_mismatch = what;
-}
-
-/// Remembers the worst error so far; `write` makes the text of the case.
-template <class Write>
-void remember(Verdict& verdict, Real error, Write write) {
-    if (!(error > verdict.worst)) return;
-    verdict.worst = error;
-    verdict.worst_case = write();
-}
-
 }  // namespace
 
 std::span<const SphereFamily> sphere_families() { return families; }
@@ -244,9 +220,9 @@ std::vector<QuadraticCase> quadratic_cases(std::size_t count, std::uint64_t seed
     for (std::size_t i = 0; i < count; ++i) {
         QuadraticCase item;
         item.a = random.magnitude(-20, 20);
-        item.h = item.a * sign(random) * random.magnitude(-20, 20);
+        item.h = item.a * random.sign() * random.magnitude(-20, 20);
         // From h²/a, where the roots meet, to 1e16 times less, where one is tiny.
-        item.c = sign(random) * item.h * (item.h / item.a) * random.magnitude(-16, 1);
+        item.c = random.sign() * item.h * (item.h / item.a) * random.magnitude(-16, 1);
         item.discriminant = oracle::judge_quadratic(item.a, item.h, item.c, 0, 0).discriminant;
         cases.push_back(item);
     }

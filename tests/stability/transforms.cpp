@@ -13,6 +13,7 @@
 namespace rt::stability {
 namespace {
 
+using test::many;
 using test::Random;
 
 constexpr Real band = 8 * unit_roundoff;
@@ -53,11 +54,9 @@ Mat4 turned(Random& random) {
     return m;
 }
 
-Real sign(Random& random) { return random.index(2) == 0 ? -1 : 1; }
-
 Vec3 factors(Random& random, Real exponent) {
     Vec3 by;
-    for (int i = 0; i < 3; ++i) by[i] = sign(random) * random.magnitude(-exponent, exponent);
+    for (int i = 0; i < 3; ++i) by[i] = random.sign() * random.magnitude(-exponent, exponent);
     return by;
 }
 
@@ -65,7 +64,7 @@ Mat4 sheared(Random& random, Real most) {
     Mat4 m(1);
     const int from = static_cast<int>(random.index(3)),
               to = (from + 1 + static_cast<int>(random.index(2))) % 3;
-    m[from][to] = sign(random) * random.magnitude(0, std::log10(most));
+    m[from][to] = random.sign() * random.magnitude(0, std::log10(most));
     return m;
 }
 
@@ -83,15 +82,6 @@ Mat4 exact_inverse(const Mat4& m) {
     for (int c = 0; c < 3; ++c) result[c] = Vec4(linear[c], 0);
     result[3] = Vec4(-(linear * Vec3(m[3])), 1);
     return result;
-}
-
-template <class Make>
-auto many(std::size_t count, std::uint64_t seed, Make make) {
-    Random random(seed);
-    std::vector<decltype(make(random))> cases;
-    cases.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) cases.push_back(make(random));
-    return cases;
 }
 
 std::vector<Mat4> scale_then_turn(std::size_t count, std::uint64_t seed) {
@@ -285,17 +275,6 @@ bool is_finite(const Mat4& m) {
         for (int r = 0; r < 4; ++r)
             if (!std::isfinite(m[c][r])) return false;
     return true;
-}
-
-void count_mismatch(Verdict& verdict, const std::string& what) {
-    if (verdict.mismatches++ == 0) verdict.first_mismatch = what;
-}
-
-template <class Write>
-void remember(Verdict& verdict, Real error, Write write) {
-    if (!(error > verdict.worst)) return;
-    verdict.worst = error;
-    verdict.worst_case = write();
 }
 
 /// 8u times κ, to first order and a little more; elements that κ says are exactly zero may be off by u as

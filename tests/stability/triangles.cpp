@@ -13,40 +13,18 @@
 namespace rt::stability {
 namespace {
 
+using test::many;
 using test::Random;
 
 // 4 ulp, as a relative error: an ulp is at most 2u.
 constexpr Real band = 8 * unit_roundoff;
 
-template <class Make>
-auto many(std::size_t count, std::uint64_t seed, Make make) {
-    Random random(seed);
-    std::vector<decltype(make(random))> cases;
-    cases.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) cases.push_back(make(random));
-    return cases;
-}
-
-void count_mismatch(Verdict& verdict, const std::string& what) {
-    if (verdict.mismatches++ == 0) verdict.first_mismatch = what;
-}
-
-/// Remembers the worst error so far; `write` makes the text of the case.
-template <class Write>
-void remember(Verdict& verdict, Real error, Write write) {
-    if (!(error > verdict.worst)) return;
-    verdict.worst = error;
-    verdict.worst_case = write();
-}
-
 // --------------------------------------------------------------------------------------------- families
-
-Vec3 perpendicular_to(const Vec3& v, Random& random) { return normalize(cross(v, random.direction())); }
 
 /// `size` long and `size / aspect` high, with a corner at `place`, turned at random.
 Triangle some_triangle(Random& random, const Vec3& place, Real size, Real aspect) {
     const Vec3 along = random.direction();
-    const Vec3 across = perpendicular_to(along, random);
+    const Vec3 across = random.perpendicular_to(along);
     return {place, place + size * along, place + size * (random.uniform(0, 1) * along + across / aspect)};
 }
 
@@ -84,7 +62,7 @@ std::vector<TriangleCase> edge_on(std::size_t count, std::uint64_t seed) {
     return many(count, seed, [](Random& random) {
         const Triangle triangle = some_triangle(random, random.in_cube(), 1, random.magnitude(0, 2));
         const Vec3 normal = normalize(cross(triangle.b - triangle.a, triangle.c - triangle.a));
-        const Vec3 grazing = perpendicular_to(normal, random) + random.magnitude(-17, -4) * normal;
+        const Vec3 grazing = random.perpendicular_to(normal) + random.magnitude(-17, -4) * normal;
         const Vec3 origin = some_target(random, triangle) - random.magnitude(-1, 2) * grazing;
         return TriangleCase{triangle, {origin, random.uniform(0.5, 2) * grazing}};
     });
@@ -372,7 +350,7 @@ std::vector<TilesCase> tiles_cases(std::size_t count, std::uint64_t seed) {
     return many(count, seed, [](Random& random) {
         // A lattice of 3 × 3 cells in some plane; its corners are rounded once, for all tiles alike.
         const Vec3 place = random.magnitude(-2, 3) * random.in_cube();
-        const Vec3 along = random.direction(), across = perpendicular_to(along, random);
+        const Vec3 along = random.direction(), across = random.perpendicular_to(along);
         const auto corner = [&](std::size_t i, std::size_t k) {
             return place + static_cast<Real>(i) * along + static_cast<Real>(k) * across;
         };

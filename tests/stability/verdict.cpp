@@ -17,6 +17,10 @@ void add(Verdict& total, const Verdict& batch) {
     if (total.first_mismatch.empty()) total.first_mismatch = batch.first_mismatch;
 }
 
+void count_mismatch(Verdict& verdict, const std::string& what) {
+    if (verdict.mismatches++ == 0) verdict.first_mismatch = what;
+}
+
 std::string describe(const Verdict& verdict) {
     char demand[32];
     std::snprintf(demand, sizeof demand, "%.3g", verdict.worst);

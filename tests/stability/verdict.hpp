@@ -24,6 +24,17 @@ struct Verdict {
 /// Adds the verdict on a further batch.
 void add(Verdict& total, const Verdict& batch);
 
+/// Counts a wrong answer; `what` says which case it was, what is right and what was answered.
+void count_mismatch(Verdict& verdict, const std::string& what);
+
+/// Remembers the greatest error so far; `write()` says which case it was.
+template <class Write>
+void remember(Verdict& verdict, Real error, Write write) {
+    if (!(error > verdict.worst)) return;
+    verdict.worst = error;
+    verdict.worst_case = write();
+}
+
 /// A few lines for a person: counts, worst case, first mismatch.
 std::string describe(const Verdict& verdict);
 

@@ -1,9 +1,8 @@
-// Worlds of a few shapes; how values are printed stands in tests/show.hpp.
+// Worlds of a few shapes.
 #pragma once
 
 #include "chapters/06_shadows/shadow.hpp"
 #include "common/render/compile.hpp"
-#include "tests/05_lighting/show.hpp"
 
 #include <utility>
 #include <variant>
