@@ -2,12 +2,13 @@
 //   leave_out [--json]                    the table; needs valgrind
 //   leave_out draw [WHICH FEATURE]        draws everything once, or one picture: what valgrind is shown;
 //                                         WHICH is general, minimal or with
-#include "common/terminal/process.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/explain.hpp"
 #include "common/render/sampled.hpp"
 #include "common/render/shade.hpp"
 #include "common/scene/parse.hpp"
+#include "common/terminal/process.hpp"
+#include "common/terminal/project.hpp"
 #include "tests/leave_out/cases.hpp"
 
 #include <fmt/core.h>
@@ -53,7 +54,7 @@ Drawing draw(const World& world, RayColor color) {
 }
 
 Scene read(const std::string& text, const std::string& name) {
-    return parse_scene_text(text, name, COURSE_SOURCE_DIR "/tests/leave_out");
+    return parse_scene_text(text, name, this_project().root / "tests" / "leave_out");
 }
 
 Drawing draw_general(const std::string& text, const std::string& name) {
@@ -91,7 +92,7 @@ std::uint64_t limit(const Row& row) {
 
 /// The instructions that each picture took, in the order in which `draw_all` draws them.
 std::vector<std::uint64_t> count_instructions() {
-    const fs::path directory = fs::path(COURSE_BUILD_DIR) / "leave_out";
+    const fs::path directory = this_project().build / "leave_out";
     fs::remove_all(directory);
     fs::create_directories(directory);
     const std::string out = (directory / "counts").string();

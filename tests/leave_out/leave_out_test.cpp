@@ -1,5 +1,6 @@
 // What a scene does not need costs nothing: the table that the program `leave_out` measures, judged.
 #include "common/terminal/process.hpp"
+#include "common/terminal/project.hpp"
 #include "tests/catch.hpp"
 
 #include <nlohmann/json.hpp>
@@ -13,7 +14,7 @@ namespace {
 /// The measured cases; none where there is no valgrind to count instructions with.
 const nlohmann::json& cases() {
     static const nlohmann::json measured = [] {
-        const ProcessResult result = run_process({COURSE_BUILD_DIR "/bin/leave_out", "--json"});
+        const ProcessResult result = run_process({program(this_project(), "leave_out").string(), "--json"});
         if (result.exit_code == 2) {
             WARN(result.output);  // "leave_out: skipped: ..."
             return nlohmann::json::array();
