@@ -2,8 +2,8 @@
 #pragma once
 
 #include "chapters/02_spheres/quadratic.hpp"
-#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
+#include "common/world/hit.hpp"
 
 #include <optional>
 #include <span>

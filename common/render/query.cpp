@@ -10,14 +10,16 @@
 namespace rt {
 namespace {
 
-// The two loops are kept out of the functions that call them, which else would save registers for them
-// always.
+// A world without accelerators does not look for one in each group. The loops are kept out of the functions
+// that call them, which else would save registers for them always.
+template <bool accelerators>
 [[gnu::noinline]] std::optional<Hit> closest_of_several(const World& world, const Ray& ray, Interval range) {
     std::optional<Hit> best;
     for (const AnyGroup& any : world.groups) {
         std::visit(
             [&](const auto& group) {
-                std::optional<Hit> hit = closest_in(group, ray, range);
+                std::optional<Hit> hit =
+                    accelerators ? closest_in(group, ray, range) : closest_hit(shapes_of(group), ray, range);
                 if (!hit) return;
                 hit->primitive = group.primitive[hit->primitive];
                 // Hits at exactly range.max are reported too, so here the file's order decides.
@@ -29,9 +31,13 @@ namespace {
     return best;
 }
 
+template <bool accelerators>
 [[gnu::noinline]] bool any_of_several(const World& world, const Ray& ray, Interval range) {
+    const auto ask = [&](const auto& group) {
+        return accelerators ? any_in(group, ray, range) : any_hit(shapes_of(group), ray, range);
+    };
     for (const AnyGroup& any : world.groups)
-        if (std::visit([&](const auto& group) { return any_in(group, ray, range); }, any)) return true;
+        if (std::visit(ask, any)) return true;
     return false;
 }
 
@@ -63,9 +69,11 @@ std::optional<Hit> next_at_once(const World& world, const Ray& ray, const Hit& l
 }  // namespace
 
 std::optional<Hit> closest_hit(const World& world, const Ray& ray, Interval range) {
-    if (world.groups.size() != 1) return closest_of_several(world, ray, range);
+    if (world.needs.accelerators) return closest_of_several<true>(world, ray, range);
+    if (world.groups.size() != 1) return closest_of_several<false>(world, ray, range);
     // One group holds all the primitives in the order of the file: its answer is the world's.
-    return std::visit([&](const auto& group) { return closest_in(group, ray, range); }, world.groups.front());
+    return std::visit([&](const auto& group) { return closest_hit(shapes_of(group), ray, range); },
+                      world.groups.front());
 }
 
 std::optional<Hit> next_hit(const World& world, const Ray& ray, const Hit& last, Interval range) {
@@ -74,8 +82,10 @@ std::optional<Hit> next_hit(const World& world, const Ray& ray, const Hit& last,
 }
 
 bool occluded(const World& world, const Ray& ray, Interval range) {
-    if (world.groups.size() != 1) return any_of_several(world, ray, range);
-    return std::visit([&](const auto& group) { return any_in(group, ray, range); }, world.groups.front());
+    if (world.needs.accelerators) return any_of_several<true>(world, ray, range);
+    if (world.groups.size() != 1) return any_of_several<false>(world, ray, range);
+    return std::visit([&](const auto& group) { return any_hit(shapes_of(group), ray, range); },
+                      world.groups.front());
 }
 
 std::optional<Hit> closest_hit(const SharedMesh& mesh, const Ray& local, Interval range) {

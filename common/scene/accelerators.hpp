@@ -22,8 +22,7 @@ inline constexpr AcceleratorWord accelerator_words[] = {
      "but at most 64 that are far out or huge",
      ""},
     {"none", AcceleratorChoice::None, "nothing", ""},
-    {"grid", AcceleratorChoice::Grid, "one uniform grid over each kind of shape and each shared mesh",
-     "09"},
+    {"grid", AcceleratorChoice::Grid, "one uniform grid over each kind of shape and each shared mesh", "09"},
     {"nested", AcceleratorChoice::Nested, "the same, and crowded cells have grids of their own", "09"},
 };
 

@@ -2,8 +2,8 @@
 #include "common/workbook/catalogue.hpp"
 
 #include "common/image/whole_file.hpp"
-#include "common/workbook/exercise.hpp"
 #include "common/math/input_error.hpp"
+#include "common/workbook/exercise.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

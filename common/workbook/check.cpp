@@ -2,11 +2,11 @@
 #include "common/workbook/check.hpp"
 
 #include "common/image/whole_file.hpp"
+#include "common/math/printable.hpp"
 #include "common/terminal/console.hpp"
-#include "common/workbook/exercise.hpp"
 #include "common/terminal/lock.hpp"
 #include "common/terminal/process.hpp"
-#include "common/math/printable.hpp"
+#include "common/workbook/exercise.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

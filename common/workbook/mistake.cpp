@@ -2,8 +2,8 @@
 // accept.
 #include "common/workbook/mistake.hpp"
 
-#include "common/workbook/exercise.hpp"
 #include "common/math/input_error.hpp"
+#include "common/workbook/exercise.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 // What is known about a student's steps: not started, wrong or right.
 #include "common/workbook/results.hpp"
 
-#include "common/workbook/exercise.hpp"
-#include "common/terminal/json_text.hpp"
-#include "common/terminal/lock.hpp"
 #include "common/image/file.hpp"
 #include "common/math/printable.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/terminal/lock.hpp"
+#include "common/workbook/exercise.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

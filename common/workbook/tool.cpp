@@ -2,9 +2,9 @@
 //   course-tool exercise IN OUT            the exercise of a solution
 //   course-tool change FILE... DIR OUT     the solution in DIR with known mistakes or right variants of one
 //   file
+#include "common/math/input_error.hpp"
 #include "common/workbook/exercise.hpp"
 #include "common/workbook/mistake.hpp"
-#include "common/math/input_error.hpp"
 
 #include <cstdio>
 #include <filesystem>

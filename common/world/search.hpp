@@ -49,10 +49,14 @@ struct Nearest {
     }
 };
 
+// The two loops are kept out of the functions that call them, which else would save registers for them
+// always.
+
 /// Nearest hit with the shapes in (range.min, range.max], or nothing. `Hit::primitive` is the shape's index;
 /// of equal distances the lowest wins.
 template <class Shape>
-std::optional<Hit> closest_hit(std::span<const Shape> shapes, const Ray& ray, Interval range) {
+[[gnu::noinline]] std::optional<Hit> closest_hit(std::span<const Shape> shapes, const Ray& ray,
+                                                 Interval range) {
     const auto& own = prepared(Kind<Shape>(), ray);
     Nearest nearest{range};
     for (std::uint32_t i = 0; i < shapes.size(); ++i) nearest.ask(shapes, i, own);
@@ -61,7 +65,7 @@ std::optional<Hit> closest_hit(std::span<const Shape> shapes, const Ray& ray, In
 
 /// Whether any shape is hit in the range; stops at the first.
 template <class Shape>
-bool any_hit(std::span<const Shape> shapes, const Ray& ray, Interval range) {
+[[gnu::noinline]] bool any_hit(std::span<const Shape> shapes, const Ray& ray, Interval range) {
     const auto& own = prepared(Kind<Shape>(), ray);
     for (const Shape& shape : shapes)
         if (is_hit(shape, own, range)) return true;

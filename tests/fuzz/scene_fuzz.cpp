@@ -1,8 +1,8 @@
 // The whole way of a scene under libFuzzer: parse, compile, render, export. Whatever the text, out comes a
 // picture, the same with one thread and with two, or an InputError of one line. README.md beside this file
 // says how to run it.
-#include "common/render/compile.hpp"
 #include "common/povray/export.hpp"
+#include "common/render/compile.hpp"
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/fuzz/must.hpp"

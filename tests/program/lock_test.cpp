@@ -1,10 +1,10 @@
 // Several programs at once: who waits, what each has to itself, and what outlives a build.
-#include "common/image/whole_file.hpp"
 #include "common/terminal/lock.hpp"
+#include "common/image/whole_file.hpp"
 #include "common/terminal/process.hpp"
 #include "common/workbook/results.hpp"
-#include "tests/program/sandbox.hpp"
 #include "tests/catch.hpp"
+#include "tests/program/sandbox.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,10 +1,10 @@
 // The program from outside: exit status, one line for what is wrong, JSON and nothing else.
-#include "common/terminal/process.hpp"
-#include "common/terminal/project.hpp"
 #include "common/image/file.hpp"
 #include "common/math/printable.hpp"
-#include "tests/program/sandbox.hpp"
+#include "common/terminal/process.hpp"
+#include "common/terminal/project.hpp"
 #include "tests/catch.hpp"
+#include "tests/program/sandbox.hpp"
 
 #include <nlohmann/json.hpp>
 

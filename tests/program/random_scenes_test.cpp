@@ -4,8 +4,8 @@
 
 #include "common/render/compile.hpp"
 #include "common/scene/parse.hpp"
-#include "tests/program/sandbox.hpp"
 #include "tests/catch.hpp"
+#include "tests/program/sandbox.hpp"
 
 #include <filesystem>
 #include <set>

@@ -1,11 +1,11 @@
 // From the report of a test program to the state of each step, and what is remembered of it.
 #include "common/image/whole_file.hpp"
+#include "common/math/input_error.hpp"
 #include "common/workbook/check.hpp"
 #include "common/workbook/drift.hpp"
 #include "common/workbook/verdict.hpp"
-#include "common/math/input_error.hpp"
-#include "tests/program/sandbox.hpp"
 #include "tests/catch.hpp"
+#include "tests/program/sandbox.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
 // What the texts say can be done: every command that they show is run, and does what they promise.
 #include "common/image/whole_file.hpp"
-#include "common/workbook/catalogue.hpp"
 #include "common/terminal/process.hpp"
 #include "common/terminal/project.hpp"
-#include "tests/program/sandbox.hpp"
+#include "common/workbook/catalogue.hpp"
 #include "tests/catch.hpp"
+#include "tests/program/sandbox.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -4,8 +4,8 @@
 
 #include "chapters/02_spheres/quadratic.hpp"
 #include "common/math/ray.hpp"
-#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
+#include "common/world/hit.hpp"
 #include "common/world/world.hpp"
 
 #include <optional>

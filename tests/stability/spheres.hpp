@@ -9,8 +9,8 @@
 
 #include "chapters/02_spheres/quadratic.hpp"
 #include "common/math/ray.hpp"
-#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
+#include "common/world/hit.hpp"
 #include "tests/stability/verdict.hpp"
 
 #include <cstdint>

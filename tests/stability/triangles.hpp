@@ -9,8 +9,8 @@
 #pragma once
 
 #include "common/math/ray.hpp"
-#include "common/world/hit.hpp"
 #include "common/scene/shapes.hpp"
+#include "common/world/hit.hpp"
 #include "tests/stability/verdict.hpp"
 
 #include <cstdint>
