@@ -22,9 +22,10 @@ void set_transmission(Parser& parser) {
 
 const CommandRow rows[] = {
     {{"ambient", "r g b",
-      "For the objects that follow: light that they send whatever the lights; default .2 .2 .2.", "01"},
+      "For the objects that follow: light that they give off whatever the lights; default .2 .2 .2.", "01"},
      [](Parser& p) { p.material.ambient = color(p, 1); }},
-    {{"emission", "r g b", "For the objects that follow: light that they send besides; default 0 0 0.", "01"},
+    {{"emission", "r g b", "For the objects that follow: light that they give off besides; default 0 0 0.",
+      "01"},
      [](Parser& p) { p.material.emission = color(p, 1); }},
     {{"checker", "r g b r g b size",
       "For the objects that follow: two colours that multiply ambient, diffuse and emission, in solid cubes "

@@ -33,7 +33,8 @@ const CommandRow rows[] = {
      set_samples},
     {{"sampler", alternatives(samplers),
       "Where several samples lie: one at random in each of equal cells (default), all at random, in the "
-      "middles of equal cells, at random but none near another, on the corners of cells with the trapezoid "
+      "middles of equal cells, at random but no two near each other, on the corners of cells with the "
+      "trapezoid "
       "rule's weights, or in the middles and one more at the centre.",
       "08"},
      [](Parser& p) { p.scene.sampling.sampler = choice(p, samplers); }},
@@ -43,7 +44,8 @@ const CommandRow rows[] = {
       "08"},
      set_adaptive},
     {{"filter", alternatives(filters),
-      "What samples count for a pixel, by their distance from its centre along each axis: all in the pixel "
+      "How much a sample counts for a pixel, by its distance from the centre along each axis: all in the "
+      "pixel "
       "alike (default); less and less up to 1 pixel, or 1.5; the cubic of Mitchell and Netravali up to 2.",
       "08"},
      [](Parser& p) { p.scene.sampling.filter = choice(p, filters); }},

@@ -73,7 +73,8 @@ const CommandRow rows[] = {
      [](Parser& p) {
          add_object(p, Sphere{vec3(p, 1), positive(p, 4, "the radius")});
      }},
-    {{"maxverts", "n", "Number of `vertex` lines to expect; accepted for old scenes, and not trusted.", "03"},
+    {{"maxverts", "n",
+      "Number of `vertex` lines to expect; accepted because old scenes say it, and not trusted.", "03"},
      [](Parser& p) { whole(p, 1, "the number of vertices", 0, 0x1p53); }},
     {{"maxvertnorms", "n", "The same for `vertexnormal` lines.", "03"},
      [](Parser& p) { whole(p, 1, "the number of vertices", 0, 0x1p53); }},
