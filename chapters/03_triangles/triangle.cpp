@@ -14,7 +14,7 @@
 namespace rt {
 
 Vec3 unit_vector(const Vec3& v) {
-    const Real greatest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    const Real greatest = size_of(v);
     if (!(greatest > 0)) return Vec3(0);
     // Brought to size 1 first: the squares of very long and very short vectors leave the range of Real.
     const Vec3 scaled = v / greatest;
@@ -97,7 +97,7 @@ Surface surface_at(const Triangle& triangle, const Ray&, const Hit& hit) {
     const Vec3 reach =
         glm::max(glm::max(glm::abs(triangle.a - surface.point), glm::abs(triangle.b - surface.point)),
                  glm::abs(triangle.c - surface.point));
-    surface.error = gamma(7) * size + Vec3(gamma(14) * std::max({reach.x, reach.y, reach.z}));
+    surface.error = gamma(7) * size + Vec3(gamma(14) * max_component(reach));
     return surface;
 }
 

@@ -84,7 +84,7 @@ std::optional<Mat4> inverse(const Mat4& m) {
     Mat4 scaled(1);
     Vec3 factor(1);
     for (int r = 0; r < 3; ++r) {
-        const Real greatest = std::max({std::abs(m[0][r]), std::abs(m[1][r]), std::abs(m[2][r])});
+        const Real greatest = size_of({m[0][r], m[1][r], m[2][r]});
         if (!(greatest > 0) || !std::isfinite(greatest)) return std::nullopt;
         factor[r] = std::ldexp(Real(1), -std::ilogb(greatest));
         for (int c = 0; c < 3; ++c) scaled[c][r] = m[c][r] * factor[r];

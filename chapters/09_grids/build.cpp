@@ -39,8 +39,7 @@ bool is_empty(const Bounds& box) {
 }
 
 Real longest_edge(const Bounds& box) {
-    const Vec3 edges = box.high - box.low;
-    return std::max({edges.x, edges.y, edges.z});
+    return max_component(box.high - box.low);
 }
 
 /// The cells that the box reaches into, up to two margins away.
@@ -199,7 +198,7 @@ Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const 
 
     const Real edge = longest_edge(around);
     const Vec3 coordinates = glm::max(glm::abs(around.low), glm::abs(around.high));
-    const Real greatest = std::max({coordinates.x, coordinates.y, coordinates.z});
+    const Real greatest = max_component(coordinates);
     const Task task{.bounds = bounds,
                     .overlaps = overlaps,
                     .options = options,

@@ -46,7 +46,7 @@ namespace {
                           const Surface& surface, RayKind kind, const Vec3& direction, const Vec3& factor,
                           const Media& media) {
     const Vec3 weight = incoming.weight * factor;
-    if (!(std::max({weight.x, weight.y, weight.z}) > world.min_contribution)) return;
+    if (!(max_component(weight) > world.min_contribution)) return;
     const Vec3 front = front_of(surface, incoming);
     const Vec3 side = kind == RayKind::Refraction ? -front : front;
     const Vec3 leaving = dot(direction, side) < 0 ? reflect(direction, side) : direction;

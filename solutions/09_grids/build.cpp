@@ -37,8 +37,7 @@ bool is_empty(const Bounds& box) {
 }
 
 Real longest_edge(const Bounds& box) {
-    const Vec3 edges = box.high - box.low;
-    return std::max({edges.x, edges.y, edges.z});
+    return max_component(box.high - box.low);
 }
 
 /// The cells that the box reaches into, up to two margins away.
@@ -244,7 +243,7 @@ bool overlaps(const Triangle& triangle, const Bounds& box) {
     };
     // In units of the longest edge: products of tiny edges would underflow.
     const Vec3 extent = high - low;
-    const Real unit = 1 / std::max({extent.x, extent.y, extent.z});
+    const Real unit = 1 / max_component(extent);
     const Vec3 edges[3] = {(b - a) * unit, (c - b) * unit, (a - c) * unit};
     if (parts(cross(edges[0], edges[1]))) return false;
     for (const Vec3& e : edges)
@@ -276,7 +275,7 @@ Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const 
 
     const Real edge = longest_edge(around);
     const Vec3 coordinates = glm::max(glm::abs(around.low), glm::abs(around.high));
-    const Real greatest = std::max({coordinates.x, coordinates.y, coordinates.z});
+    const Real greatest = max_component(coordinates);
     const Task task{.bounds = bounds,
                     .overlaps = overlaps,
                     .options = options,
