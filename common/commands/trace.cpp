@@ -33,11 +33,13 @@ constexpr std::size_t most_levels = 16;
 
 constexpr const char* colour_of_pixel = "colour of the pixel";
 
-// A shape of another kind does not compile until it has a name here.
-std::string_view shape_name(const Sphere&) { return "sphere"; }
-std::string_view shape_name(const Plane&) { return "plane"; }
-std::string_view shape_name(const TriangleObject&) { return "triangle"; }
-std::string_view shape_name(const PolygonObject&) { return "polygon"; }
+// What a shape of a file is called: as in a world, if it stands there as it is.
+template <class Shape>
+std::string_view shape_name(const Shape&) {
+    return words<Shape>.one;
+}
+std::string_view shape_name(const TriangleObject&) { return words<Triangle>.one; }
+std::string_view shape_name(const PolygonObject&) { return words<Polygon>.one; }
 std::string_view shape_name(const MeshObject&) { return "mesh"; }
 
 std::string_view kind_name(RayKind kind) {
