@@ -2,9 +2,9 @@
 #include "common/render/compile.hpp"
 
 #include "chapters/01_ray_casting/camera.hpp"
-#include "common/math/input_error.hpp"
 #include "common/render/accelerate.hpp"
 #include "common/render/eye_inside.hpp"
+#include "common/render/object_limits.hpp"
 #include "common/render/primitives.hpp"
 #include "common/scene/range.hpp"
 
@@ -17,10 +17,6 @@ namespace rt {
 namespace {
 
 bool is_zero(const Vec3& v) { return v == Vec3(0); }
-
-[[noreturn]] void fail(const Scene& scene, SourcePlace place, const std::string& what) {
-    throw InputError(fmt::format("{}:{}:{}: {}", scene.file, place.line, place.column, what));
-}
 
 View view_of(const Scene& scene) {
     const Camera& camera = scene.camera;
@@ -124,11 +120,11 @@ void check_growth(const Scene& scene, const World& world) {
             (factor > 1 && bounces * std::log10(factor) > std::log10(largest_number)) ||
             (filter > 1 && surfaces[object.material] * std::log10(filter) > std::log10(largest_number));
         if (grows)
-            fail(scene, object.place,
-                 fmt::format(
-                     "the material sends on {} times the light that it gets, which may grow beyond {}: "
-                     "let specular and transmission be 1 at most, or maxdepth less",
-                     factor, largest_number));
+            refuse(scene, object.place,
+                   fmt::format(
+                       "the material sends on {} times the light that it gets, which may grow beyond {}: "
+                       "let specular and transmission be 1 at most, or maxdepth less",
+                       factor, largest_number));
     }
 }
 
@@ -156,7 +152,7 @@ World compile(const Scene& scene) {
         for (const Object& object : scene.objects)
             if (!std::holds_alternative<TriangleObject>(object.shape) &&
                 !std::holds_alternative<MeshObject>(object.shape))
-                fail(scene, object.place, "scan conversion draws triangles only");
+                refuse(scene, object.place, "scan conversion draws triangles only");
     check_growth(scene, world);
     add_accelerators(scene, world);
     if (world.needs.refraction) world.eye_inside = objects_around_eye(world);
