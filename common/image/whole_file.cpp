@@ -1,22 +1,16 @@
-// Files read and written whole, with what can go wrong on the way: devices, pipes, full disks, signals.
+// Files read and written whole, with what can go wrong on the way: devices, pipes, full disks.
 #include "common/image/whole_file.hpp"
 
+#include "common/image/descriptor.hpp"
+#include "common/image/temporary_file.hpp"
 #include "common/math/input_error.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <atomic>
 #include <cerrno>
-#include <climits>
-#include <csignal>
-#include <mutex>
-#include <set>
 #include <system_error>
 #include <utility>
 
@@ -30,18 +24,6 @@ namespace fs = std::filesystem;
 }
 
 std::string reason(int error) { return std::generic_category().message(error); }
-
-/// A file descriptor that is closed on every way out.
-struct Descriptor {
-    int number;
-
-    explicit Descriptor(int opened) : number(opened) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (number >= 0) ::close(number);
-    }
-};
 
 // ---- Reading ----
 
@@ -59,124 +41,6 @@ void check_length(const fs::path& path, std::size_t bytes) {
     if (bytes > largest_file)
         fail(path, "more than " + std::to_string(largest_file) + " bytes; no larger file is read");
 }
-
-// ---- Temporary files: their names are known to the handler of the signals that end the program ----
-
-struct Temporary {
-    enum State { Free, Taken, There };
-    std::atomic<int> state = Free;
-    std::array<char, PATH_MAX> name;
-};
-std::array<Temporary, 64> temporaries;  // of more at one time the others are left to the next program
-std::atomic<pid_t> owner = 0;           // a child between fork and exec has the handler, but not the files
-
-extern "C" void remove_temporaries(int signal) {
-    if (::getpid() == owner)
-        for (Temporary& temporary : temporaries)
-            if (temporary.state == Temporary::There) ::unlink(temporary.name.data());
-    ::raise(signal);  // the handler was for once; now the signal ends the program, as it should
-}
-
-void watch_signals() {
-    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ}) {
-        struct sigaction action {};
-        if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
-        action.sa_handler = remove_temporaries;
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        ::sigaction(signal, &action, nullptr);
-    }
-}
-
-/// Tells the handler of a temporary file; null where it cannot.
-Temporary* announce(const std::string& name) {
-    static std::once_flag watched;
-    std::call_once(watched, watch_signals);
-    owner = ::getpid();
-    if (name.size() >= PATH_MAX) return nullptr;
-    for (Temporary& temporary : temporaries) {
-        int state = Temporary::Free;
-        if (!temporary.state.compare_exchange_strong(state, Temporary::Taken)) continue;
-        std::copy_n(name.c_str(), name.size() + 1, temporary.name.data());
-        temporary.state = Temporary::There;
-        return &temporary;
-    }
-    return nullptr;
-}
-
-constexpr std::string_view prefix = ".course-", suffix = ".tmp";
-
-/// Removes temporary files that nobody is writing: a writer holds a lock, which ends with it however it ends.
-/// Once a directory, because a directory may be large.
-void remove_stale(const fs::path& directory) {
-    static std::mutex mutex;
-    static std::set<fs::path> seen;
-    {
-        const std::lock_guard lock(mutex);
-        if (!seen.insert(directory).second) return;
-    }
-    std::error_code error;
-    fs::directory_iterator entry(directory.empty() ? fs::path(".") : directory, error);
-    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
-        if (!name.starts_with(prefix) || !name.ends_with(suffix)) continue;
-        const Descriptor file(::open(entry->path().c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-        if (file.number >= 0 && ::flock(file.number, LOCK_EX | LOCK_NB) == 0) ::unlink(entry->path().c_str());
-    }
-}
-
-/// A new file with a lock on it; removed on every way out unless it was renamed.
-struct TemporaryFile {
-    fs::path path;
-    Descriptor descriptor;
-    Temporary* announced = nullptr;
-    bool renamed = false;
-
-    /// Made in `directory`; the descriptor is negative, with the reason in errno, where that fails.
-    explicit TemporaryFile(const fs::path& directory) : path(new_name(directory)), descriptor(-1) {
-        make();
-        if (descriptor.number < 0) return;
-        while (::flock(descriptor.number, LOCK_EX) != 0 && errno == EINTR) continue;
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        if (descriptor.number >= 0 && !renamed) ::unlink(path.c_str());
-        if (announced) announced->state = Temporary::Free;
-    }
-
-    /// No signal comes between the file and its announcement.
-    void make() {
-        sigset_t all, before;
-        sigfillset(&all);
-        ::pthread_sigmask(SIG_SETMASK, &all, &before);
-        descriptor.number = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        const int error = errno;
-        if (descriptor.number >= 0) announced = announce(path.string());
-        ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-        errno = error;
-    }
-
-    /// Whether another program took it for one that was left, between its making and its lock.
-    bool gone() const {
-        struct stat what {};
-        return ::fstat(descriptor.number, &what) == 0 && what.st_nlink == 0;
-    }
-
-    /// Gives it its name; false, with the reason in errno, if it could not be kept whole.
-    bool rename(const fs::path& target) {
-        // Some file systems say only on closing that the disk is full; the lock must outlive that.
-        const int other = ::fcntl(descriptor.number, F_DUPFD_CLOEXEC, 0);
-        renamed = other >= 0 && ::close(other) == 0 && ::rename(path.c_str(), target.c_str()) == 0;
-        return renamed;
-    }
-
-    /// A name in `directory` that no other thread or process uses.
-    static fs::path new_name(const fs::path& directory) {
-        static std::atomic<unsigned> count = 0;
-        return directory / (std::string(prefix) + std::to_string(::getpid()) + "-" + std::to_string(count++) +
-                            std::string(suffix));
-    }
-};
 
 // ---- Writing ----
 
