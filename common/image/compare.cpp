@@ -27,7 +27,7 @@ Real channel_difference(Real a, Real b) {
 }
 
 Real encoded_difference(Real a, Real b, const Display& display) {
-    if (a == b) return 0;  // spares most images most of their powers
+    if (a == b) return 0;  // most are, and need no power
     if (std::isnan(a) != std::isnan(b)) return 1;
     if (display.eight_bits)
         return std::abs(encode_byte(a, display.encoding) - encode_byte(b, display.encoding)) / Real(255);

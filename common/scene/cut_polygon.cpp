@@ -24,8 +24,8 @@ Vec3 scaled(const Vec3& v, int exponent) {
     return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 
-/// The corners as seen from the first one, scaled by a power of two to a size of about 1. For what is to be
-/// about right only: differences round.
+/// The corners as seen from the first one, scaled by a power of two to a size of about 1. Good for
+/// what need only be about right: differences round.
 std::vector<Vec3> normalised(std::span<const Vec3> corners) {
     std::vector<Vec3> result(corners.begin(), corners.end());
     Real size = 0, reach = 0;
@@ -62,8 +62,8 @@ std::vector<int> axes_to_look_along(std::span<const Vec3> corners) {
     return axes;
 }
 
-/// Without the coordinate `axis`, the other two in cyclic order: counterclockwise stays so where the normal
-/// points along the axis.
+/// Without the coordinate `axis`, the other two in cyclic order: what is counterclockwise stays so where the
+/// normal points along the axis.
 std::vector<Vec2> seen_along(int axis, std::span<const Vec3> corners) {
     std::vector<Vec2> result;
     result.reserve(corners.size());

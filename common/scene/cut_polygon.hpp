@@ -25,7 +25,7 @@ struct PolygonCut {
 ///
 /// Decisions are made by exact signs on the given numbers, wherever the polygon is and however large. For
 /// that it is looked at along the axis nearest to its mean normal (Newell's; Sutherland, Sproull & Schumacker
-/// 1974), because to leave out a coordinate does not round. Corners that are not quite in one plane are
+/// 1974), because leaving out a coordinate rounds nothing. Corners that are not quite in one plane are
 /// taken as they appear from there, and the triangles join the corners where they are.
 ///
 /// A polygon of four corners is cut along the shorter diagonal where both are inside. Only such a polygon can

@@ -20,14 +20,14 @@ struct OutlineCheck {
     /// How often the outline goes around every point inside: 1 counterclockwise, −1 clockwise, 0 where there
     /// is no inside.
     int turns = 0;
-    bool crosses = false;        ///< some points are gone around otherwise; then the rest means nothing
+    bool crosses = false;        ///< it goes around some points otherwise; then the rest means nothing
     std::vector<Touch> touches;  ///< by sides, and along each side in its direction
 };
 
 /// Checks a closed outline by exact signs, in O(n log n): a line sweeps over the plane and keeps the sides
 /// that it cuts in order; before two could change places they were neighbours (Shamos & Hoey 1976). Between
-/// neighbours the number of turns is known, and must be 0 or always the same. Corners at one place, sides on
-/// one another and corners on sides are all right.
+/// neighbours the number of turns is known, and must be 0 or always the same. Corners may share a place,
+/// sides may lie on one another, and corners on sides.
 OutlineCheck check_outline(std::span<const Vec2> corners);
 
 }  // namespace rt

@@ -33,20 +33,20 @@ std::string shown(Real value);
 /// deserves a warning, because `4#8` reads as 4.
 const char* split_words(std::string_view line, std::vector<std::string_view>& words);
 
-/// The warning of that.
+/// What that warning says.
 inline constexpr std::string_view comment_inside_word =
     "a comment begins inside a word; put a blank before the '#'";
 
 /// Takes the next line, without its end, off the front of `text`; `text` must not be empty. Lines end with
-/// "\n", "\r\n" or "\r", mixed as they may be, the last one also with the text.
+/// "\n", "\r\n" or "\r", even mixed; the last one may end with the text.
 std::string_view take_line(std::string_view& text);
 
 /// Throws InputError `name:line:column: …` for UTF-16 and for a zero byte, which no text has.
 void check_is_text(std::string_view text, const std::string& name);
 
 /// The content of a text file. Throws InputError, with `name` in front and the reason, where there is no such
-/// file (with a suggestion where one of a similar name is beside it) or it is a directory, and as
-/// `read_file`.
+/// file (with a suggestion where one of a similar name is beside it) or it is a directory, and where
+/// `read_file` throws.
 std::string read_text(const std::filesystem::path& path, const std::string& name);
 
 /// A byte order mark of UTF-8 taken off the front.
