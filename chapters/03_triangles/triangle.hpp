@@ -42,7 +42,7 @@ struct ShearedRay {
 ShearedRay shear(const Ray& ray);
 
 /// What a search among triangles works out once a ray. Given.
-inline ShearedRay prepared(Kind<Triangle>, const Ray& ray) { return shear(ray); }
+inline ShearedRay prepared(ShapeTag<Triangle>, const Ray& ray) { return shear(ray); }
 
 /// [03.4] The point as the ray sees it: measured from the ray's origin, its coordinates renamed, and sheared
 /// so that the ray itself is the z axis: (x − slope.x·z, y − slope.y·z, z).

@@ -56,7 +56,7 @@ Vec2 spread(int i) {
 }
 
 /// Builds the accelerators of a world.
-struct Builder {
+struct AcceleratorBuilder {
     World& world;
     AcceleratorChoice choice;
     Rays rays;
@@ -277,7 +277,7 @@ void add_accelerators(const Scene& scene, World& world) {
     const Needs& needs = world.needs;
     const Real paths = static_cast<Real>(scene.width) * scene.height * scene.sampling.count *
                        (needs.reflection || needs.refraction ? 3 : 1);
-    Builder builder{world, scene.accelerator, {expected_rays(scene, world), paths, needs.shadows}};
+    AcceleratorBuilder builder{world, scene.accelerator, {expected_rays(scene, world), paths, needs.shadows}};
     // Meshes first: what an instance costs depends on its mesh's accelerator. The camera is not in a mesh's
     // space.
     for (const auto& mesh : world.meshes)

@@ -28,8 +28,8 @@ struct AllGroups<List<Shape...>> {
 };
 
 /// Fills a world from a scene's objects, each kind of shape in a group of its own.
-struct Builder {
-    Builder(const Scene& from, World& to)
+struct PrimitiveBuilder {
+    PrimitiveBuilder(const Scene& from, World& to)
         : scene(from), world(to), transforms(from), uses(from.meshes.size()), shared(from.meshes.size()) {
         if (to.needs.refraction || to.needs.colored_shadows) {
             Bodies found = bodies_of(from, to.needs.refraction);
@@ -204,7 +204,7 @@ struct Builder {
 
 }  // namespace
 
-void add_primitives(const Scene& scene, World& world) { Builder(scene, world).add_all(); }
+void add_primitives(const Scene& scene, World& world) { PrimitiveBuilder(scene, world).add_all(); }
 
 void place_shapes(World& world, std::size_t group) {
     const auto number = static_cast<std::uint32_t>(group);

@@ -1,5 +1,5 @@
-// What a chapter may ask of a whole World. Implemented in common/render by dispatch over the kinds of
-// primitive that occur, because every chapter adds to the answers.
+// What a chapter may ask of a whole World. Implemented in common/render by dispatch over the shapes that
+// occur, because every chapter adds to the answers.
 #pragma once
 
 #include "common/world/world.hpp"

@@ -17,12 +17,12 @@ namespace rt {
 
 /// Names a shape where there is none at hand.
 template <class Shape>
-struct Kind {};
+struct ShapeTag {};
 
 /// The ray as the shapes of a kind want it, worked out once a ray: itself, unless the shape's chapter says
 /// otherwise.
 template <class Shape>
-const Ray& prepared(Kind<Shape>, const Ray& ray) {
+const Ray& prepared(ShapeTag<Shape>, const Ray& ray) {
     return ray;
 }
 
@@ -57,7 +57,7 @@ struct Nearest {
 template <class Shape>
 [[gnu::noinline]] std::optional<Hit> closest_hit(std::span<const Shape> shapes, const Ray& ray,
                                                  Interval range) {
-    const auto& own = prepared(Kind<Shape>(), ray);
+    const auto& own = prepared(ShapeTag<Shape>(), ray);
     Nearest nearest{range};
     for (std::uint32_t i = 0; i < shapes.size(); ++i) nearest.ask(shapes, i, own);
     return nearest.hit;
@@ -66,7 +66,7 @@ template <class Shape>
 /// Whether any shape is hit in the range; stops at the first.
 template <class Shape>
 [[gnu::noinline]] bool any_hit(std::span<const Shape> shapes, const Ray& ray, Interval range) {
-    const auto& own = prepared(Kind<Shape>(), ray);
+    const auto& own = prepared(ShapeTag<Shape>(), ray);
     for (const Shape& shape : shapes)
         if (is_hit(shape, own, range)) return true;
     return false;
@@ -125,7 +125,7 @@ template <class OneAccelerator, class Shape>
 std::optional<Hit> closest_hit(const OneAccelerator& accelerator, std::span<const Shape> shapes,
                                const Ray& ray, Interval range, Mailbox& mailbox) {
     if (!serves(accelerator, ray)) return closest_hit(shapes, ray, range);
-    const auto& own = prepared(Kind<Shape>(), ray);
+    const auto& own = prepared(ShapeTag<Shape>(), ray);
     Asked asked(mailbox, shapes.size());
     Nearest nearest{range};
     search(accelerator, ray, range, [&](std::span<const std::uint32_t> some, Interval) {
@@ -141,7 +141,7 @@ template <class OneAccelerator, class Shape>
 bool any_hit(const OneAccelerator& accelerator, std::span<const Shape> shapes, const Ray& ray, Interval range,
              Mailbox& mailbox) {
     if (!serves(accelerator, ray)) return any_hit(shapes, ray, range);
-    const auto& own = prepared(Kind<Shape>(), ray);
+    const auto& own = prepared(ShapeTag<Shape>(), ray);
     Asked asked(mailbox, shapes.size());
     bool found = false;
     search(accelerator, ray, range, [&](std::span<const std::uint32_t> some, Interval) {
@@ -160,7 +160,7 @@ bool any_hit(const OneAccelerator& accelerator, std::span<const Shape> shapes, c
 template <class OneAccelerator, class Shape>
 void append_hits(const OneAccelerator& accelerator, std::span<const Shape> shapes, const Ray& ray,
                  Interval range, Mailbox& mailbox, std::vector<Hit>& hits) {
-    const auto& own = prepared(Kind<Shape>(), ray);
+    const auto& own = prepared(ShapeTag<Shape>(), ray);
     const auto ask = [&](std::uint32_t i) {
         std::optional<Hit> hit = intersect(shapes[i], own, range);
         if (!hit) return;
