@@ -240,7 +240,8 @@ void add_project(Line& line) {
         ->needs(random);
     sub->group(for_maintainers);
 
-    sub = line.command("exercises", "report exercises that differ from what their solutions generate",
+    sub = line.command("exercises",
+                       "report generated files that differ: exercises, and the table of scene commands",
                        "exercises", [&line] { return run_exercises(line.make, line.json); });
     sub->add_flag("--make", line.make, "write them");
     sub->group(for_maintainers);

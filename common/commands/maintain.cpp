@@ -2,6 +2,7 @@
 #include "common/commands/commands.hpp"
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/scene/parse.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/json_text.hpp"
 #include "common/terminal/process.hpp"
@@ -76,6 +77,19 @@ std::vector<Drift> drifted_exercises(const Project& project, const std::vector<C
     return drifted;
 }
 
+std::vector<Drift> drifted_files(const Project& project, const std::vector<Chapter>& chapters) {
+    std::vector<Drift> drifted = drifted_exercises(project, chapters);
+    const fs::path reference = project.root / "common/scene/README.md";
+    const std::string text = read_file(reference), begin = "<!-- commands -->\n";
+    const std::size_t from = text.find(begin), to = text.find("<!-- /commands -->");
+    if (from == std::string::npos || to == std::string::npos)
+        throw InputError(relative(project, reference) + ": the marks around the table of commands are gone");
+    const std::string expected =
+        text.substr(0, from + begin.size()) + scene_command_table() + text.substr(to);
+    if (text != expected) drifted.push_back({reference, expected});
+    return drifted;
+}
+
 bool is_students_tree(const Project& project, const std::vector<Chapter>& chapters) {
     for (const Chapter& chapter : chapters) {
         for (const std::string& file : exercise_files(project, chapter)) {
@@ -95,9 +109,9 @@ bool is_students_tree(const Project& project, const std::vector<Chapter>& chapte
 int run_exercises(bool make, bool json) {
     const Project project = this_project();
     std::vector<std::string> changed;
-    for (const Drift& drift : drifted_exercises(project, read_catalogue(project))) {
-        if (make) write_file(drift.exercise, drift.expected);
-        changed.push_back(relative(project, drift.exercise));
+    for (const Drift& drift : drifted_files(project, read_catalogue(project))) {
+        if (make) write_file(drift.file, drift.expected);
+        changed.push_back(relative(project, drift.file));
     }
     return report(changed, make, json, "./course exercises --make");
 }

@@ -229,10 +229,10 @@ void test_exercises(const Project& project, const std::vector<Chapter>& chapters
             part.expect(step.state == State::Todo, fmt::format("step {} is {} before it is started: {}",
                                                                step.id, name_of(step.state), step.message));
     }
-    const std::vector<Drift> drifted = drifted_exercises(project, chapters);
+    const std::vector<Drift> drifted = drifted_files(project, chapters);
     for (const Drift& drift : drifted)
-        part.problems.push_back(relative(project, drift.exercise) +
-                                " is not what its solution generates; ./course exercises --make writes it");
+        part.problems.push_back(relative(project, drift.file) +
+                                " is not what it is generated from; ./course exercises --make writes it");
     ++(drifted.empty() ? part.passed : part.failed);
 }
 

@@ -1,6 +1,6 @@
 // Exercises are generated from annotated solutions.
-#include "common/image/whole_file.hpp"
 #include "common/workbook/exercise.hpp"
+#include "common/image/whole_file.hpp"
 #include "common/terminal/project.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"

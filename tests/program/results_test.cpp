@@ -146,7 +146,7 @@ TEST_CASE("an exercise that its solution does not generate has drifted") {
     test::write(tree.exercise(), read_file(tree.exercise()) + "\n");
     const auto drifted = drifted_exercises(tree.project, tree.chapters);
     REQUIRE(drifted.size() == 1);
-    CHECK(drifted[0].exercise == tree.exercise());
+    CHECK(drifted[0].file == tree.exercise());
     CHECK_FALSE(is_students_tree(tree.project, tree.chapters));
 }
 
