@@ -106,7 +106,8 @@ TEST_CASE("the page shows the parts that were measured, names its command and li
 
 TEST_CASE("a plot's script reads the table beside it and writes its own picture") {
     for (const ReportPlot& plot : report_plots(some_data(0, 1000))) {
-        CHECK(plot.script.find("set output '" + plot.name + ".svg'") != std::string::npos);
+        CHECK(plot.script.find("\nname = '" + plot.name + "'\n") != std::string::npos);
+        CHECK(plot.script.find("\nset output name.'.svg'\n") != std::string::npos);
         CHECK(plot.script.find("'" + plot.table + "'") != std::string::npos);
         CHECK_FALSE(plot.alt.empty());
     }
