@@ -10,7 +10,7 @@
 #include "common/terminal/json_text.hpp"
 #include "common/terminal/lock.hpp"
 #include "common/terminal/process.hpp"
-#include "common/workbook/verdict.hpp"
+#include "common/workbook/result_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -130,9 +130,7 @@ std::string next_after(const Project& project, const std::vector<Chapter>& chapt
                        const std::vector<ChapterResult>& results) {
     for (std::size_t i = 0; i < results.size(); ++i)
         if (!all_passed(results[i])) return next_action(*request.chapters[i], results[i]);
-    std::vector<KnownResult> known;
-    for (const Chapter& chapter : chapters) known.push_back(known_result(project, chapter));
-    return next_action(project, chapters, known);
+    return next_action(project, chapters, known_results(project, chapters));
 }
 
 }  // namespace
@@ -150,7 +148,7 @@ int run_check(const CheckCommand& command) {
     const bool good = std::all_of(asked.begin(), asked.end(), all_passed);
 
     if (command.json) {
-        fmt::print("{}\n", json_text(verdicts_json(chapters, asked)));
+        fmt::print("{}\n", json_text(results_json(chapters, asked)));
         return good ? 0 : 1;
     }
 

@@ -1,257 +1,21 @@
-// The command line: what can be asked for, help with examples, and one line for what is wrong.
-#include "common/commands/commands.hpp"
-
+// The program: the command line understood, a command run, and one line for what is wrong.
+#include "common/commands/command_line.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/todo.hpp"
-#include "common/scene/parse.hpp"
 #include "common/scene/suggest.hpp"
-#include "common/scene/text.hpp"
 #include "common/terminal/console.hpp"
-#include "common/terminal/json_text.hpp"
 #include "common/terminal/lock.hpp"
 #include "common/workbook/catalogue.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
-#include <charconv>
 #include <cstdio>
-#include <functional>
 #include <new>
 #include <system_error>
 
 namespace rt {
 
 namespace {
-
-/// The text as a whole number from `least` to `most`, in decimal: CLI11 takes 010 for eight.
-CLI::Validator whole_number(long long least, long long most) {
-    return {[=](std::string& text) -> std::string {
-                const std::string_view digits = std::string_view(text).substr(text.starts_with('+') ? 1 : 0);
-                long long value = 0;
-                const char* end = digits.data() + digits.size();
-                const auto [stop, error] = std::from_chars(digits.data(), end, value);
-                if (error != std::errc() || stop != end || value < least || value > most)
-                    return fmt::format("'{}' is not a whole number from {} to {}", text, least, most);
-                text = std::to_string(value);
-                return "";
-            },
-            fmt::format("{} to {}", least, most)};
-}
-
-/// The text as a number from `least` to `most`, written as in a scene: neither infinite nor NaN.
-CLI::Validator number(double least, double most) {
-    return {[=](std::string& text) -> std::string {
-                const ParsedNumber parsed = parse_number(text);
-                if (!parsed.problem.empty()) return fmt::format("'{}' {}", text, parsed.problem);
-                if (parsed.value < least || parsed.value > most)
-                    return fmt::format("'{}' is not between {:g} and {:g}", text, least, most);
-                text = shown(parsed.value);
-                return "";
-            },
-            fmt::format("{:g} to {:g}", least, most)};
-}
-
-/// No option means anything by an empty text; it is a variable of a script that was never set.
-void refuse_empty_values(CLI::App& app) {
-    const CLI::Validator not_empty(
-        [](std::string& text) -> std::string { return text.empty() ? "the value is empty" : ""; }, "");
-    for (CLI::App* command : app.get_subcommands({}))
-        for (CLI::Option* option : command->get_options())
-            if (option->get_items_expected_max() > 0) option->check(not_empty);
-}
-
-/// What the chosen command will do, once the whole line has been understood.
-using Action = std::function<int()>;
-
-/// The command line: CLI11's description of it, and what it has filled in.
-struct Line {
-    CLI::App app{"A ray tracing course: chapters to write, tests that judge them, scenes that show them.",
-                 "./course"};
-    Action action = [this] { return run_status(json); };
-
-    bool json = false, all = false, spoil = false, quick = false, make = false;
-    std::string step, chapter;
-    CheckCommand check;
-    RenderCommand render;
-    ReportCommand report;
-    CompareCommand compare;
-    ExplainCommand explain;
-    TraceCommand trace;
-    TourCommand tour;
-    ReferencesCommand references;
-    RandomReferencesCommand random;
-    ExportCommand export_scene;
-
-    CLI::App* command(const std::string& name, const std::string& what, const std::string& example,
-                      const Action& run) {
-        CLI::App* sub = app.add_subcommand(name, what);
-        sub->footer("Example:\n  ./course " + example);
-        sub->add_flag("--json", json, "one JSON object on standard output, nothing else there");
-        sub->callback([this, run] { action = run; });
-        return sub;
-    }
-};
-
-constexpr const char* for_maintainers = "For maintainers";
-constexpr const char* lenient_help =
-    "skip with a warning what other programs may know of the scene: commands, values, arguments";
-
-void add_learning(Line& line) {
-    CLI::App* sub = line.command("check",
-                                 "build and test your code: chapters (02), steps (02.1), or the chapter in "
-                                 "progress",
-                                 "check 02", [&line] { return run_check(line.check); });
-    sub->add_option("what", line.check.targets, "chapters or steps, such as 02 or 02.1");
-    sub->add_flag("--solutions", line.check.solutions,
-                  "the solutions instead of your code; default: all chapters");
-
-    line.command("list", "chapters and steps with titles, points and state", "list",
-                 [&line] { return run_list(line.json); });
-
-    sub = line.command("hint", "one more hint for a step", "hint 02.1",
-                       [&line] { return run_hint(line.step, line.all, line.json); });
-    sub->add_option("step", line.step, "such as 02.1")->required();
-    sub->add_flag("--all", line.all, "all of them at once");
-
-    sub = line.command("reset", "a chapter or a step back to its start; your file is kept as a backup",
-                       "reset 02.1", [&line] { return run_reset(line.step, line.json); });
-    sub->add_option("what", line.step, "a chapter or a step, such as 02 or 02.1")->required();
-
-    sub = line.command("solution", "your code for a step, and the solution's", "solution 02.1",
-                       [&line] { return run_solution(line.step, line.spoil, line.json); });
-    sub->add_option("step", line.step, "such as 02.1")->required();
-    sub->add_flag("--spoil", line.spoil, "also before the step has passed");
-}
-
-void add_pictures(Line& line) {
-    CLI::App* sub = line.command("render", "a scene to a picture: .png, .pfm or .hdr",
-                                 "render references/02_spheres/normals.scene -o normals.png --preview",
-                                 [&line] { return run_render(line.render); });
-    sub->add_option("scene", line.render.scene, "the scene's file")->required();
-    sub->add_option("-o,--output", line.render.output,
-                    "the picture's file; default: as the scene says, else its name");
-    sub->add_option("--size", line.render.size, "width and height in pixels, such as 640x480");
-    sub->add_option("--threads", line.render.threads, "number of threads; default: one a core")
-        ->transform(whole_number(1, 1024));
-    sub->add_option("--integrator", line.render.integrator,
-                    "raytrace, flat, directions, normals, uv or rasterize instead of what the scene says");
-    CLI::Option* samples =
-        sub->add_option("--spp", line.render.samples, "samples a pixel, instead of the scene's")
-            ->transform(whole_number(1, most_samples));
-    sub->add_option("--seconds", line.render.seconds, "go on with more samples for so long")
-        ->transform(number(1e-3, 1e6))
-        ->excludes(samples);
-    sub->add_option("--error", line.render.error,
-                    "go on with more samples until the RMS error is about so small, such as 0.002")
-        ->transform(number(1e-6, 1))
-        ->excludes(samples);
-    sub->add_option("--seed", line.render.seed, "which random numbers are used")
-        ->transform(whole_number(0, (1LL << 53) - 1));
-    CLI::Option* solutions =
-        sub->add_flag("--solutions", line.render.solutions, "with the solutions of all chapters");
-    sub->add_flag("--mine", line.render.mine, "with your code for all chapters, also where it does not pass")
-        ->excludes(solutions);
-    sub->add_flag("--preview", line.render.preview, "show the picture in the terminal, too");
-    sub->add_flag("--lenient", line.render.lenient, lenient_help);
-    sub->add_flag("--quiet", line.render.quiet, "no progress and no summary");
-
-    sub = line.command("compare", "how far a picture is from a reference",
-                       "compare mine.png references/02_spheres/normals.png --page compare.html",
-                       [&line] { return run_compare(line.compare); });
-    sub->add_option("image", line.compare.image, "a .png, .pfm or .hdr")->required();
-    sub->add_option("reference", line.compare.reference, "another of the same size")->required();
-    sub->add_option(
-           "--within", line.compare.within,
-           "the same if 99.9 % of the pixels differ by N/255 of the display's range at most; default 1")
-        ->transform(whole_number(0, 255));
-    sub->add_option("--diff", line.compare.diff, "write a picture of the differences");
-    sub->add_option("--page", line.compare.page, "write a page with the pictures side by side");
-    sub->add_option("--encoding", line.compare.encoding, "of 8-bit files: srgb or linear; default srgb")
-        ->check(CLI::IsMember({"srgb", "linear"}));
-
-    sub = line.command("explain", "what a scene needs, what was left out and why, and which chapters draw it",
-                       "explain references/02_spheres/normals.scene",
-                       [&line] { return run_explain(line.explain); });
-    sub->add_option("scene", line.explain.scene, "the scene's file")->required();
-    sub->add_flag("--lenient", line.explain.lenient, lenient_help);
-
-    sub = line.command("trace", "the ray tree of one pixel",
-                       "trace references/02_spheres/normals.scene 160 120",
-                       [&line] { return run_trace(line.trace); });
-    sub->add_option("scene", line.trace.scene, "the scene's file")->required();
-    sub->add_option("x", line.trace.x, "the pixel's column, from 0 at the left")
-        ->transform(whole_number(0, largest_side - 1))
-        ->required();
-    sub->add_option("y", line.trace.y, "the pixel's row, from 0 at the top")
-        ->transform(whole_number(0, largest_side - 1))
-        ->required();
-    sub->add_flag("--lenient", line.trace.lenient, lenient_help);
-    sub->add_option("--against", line.trace.against,
-                    "solutions: your tree beside theirs, to the first difference");
-
-    sub = line.command("export", "a scene for POV-Ray",
-                       "export references/02_spheres/normals.scene -o normals.pov",
-                       [&line] { return run_export(line.export_scene); });
-    sub->add_option("scene", line.export_scene.scene, "the scene's file")->required();
-    sub->add_option("-o,--output", line.export_scene.output, "the file for POV-Ray")->required();
-    sub->add_flag("--lenient", line.export_scene.lenient, lenient_help);
-}
-
-void add_project(Line& line) {
-    CLI::App* sub =
-        line.command("tour", "render every chapter's scenes, compare them with POV-Ray's, write a page",
-                     "tour", [&line] { return run_tour(line.tour); });
-    sub->add_option("-o,--output", line.tour.output, "directory of the page; default: build/tour");
-
-    sub = line.command("report", "how wrong, how fast, and where it breaks: measured, with a page",
-                       "report error-time --quick", [&line] {
-                           line.report.quick = line.quick;
-                           return run_report(line.report);
-                       });
-    sub->add_option("what", line.report.what, "error-time, stability or leave-out; default: all three");
-    sub->add_option("-o,--output", line.report.output, "directory of the page; default: build/report");
-    sub->add_flag("--quick", line.quick, "half a minute instead of five: fewer cases, samples and triangles");
-
-    sub = line.command("test", "every test of the project", "test --quick",
-                       [&line] { return run_test(line.quick, line.json); });
-    sub->add_flag("--quick", line.quick, "fewer random cases, one known mistake a step, no scripts");
-
-    sub =
-        line.command("references", "render the references with POV-Ray again and report any that changed",
-                     "references 02", [&line] {
-                         if (line.random.count > 0) return run_random_references(line.random);
-                         if (!line.references.chapter.empty())
-                             line.references.chapter =
-                                 find_chapter(read_catalogue(this_project()), line.references.chapter).number;
-                         return run_references(line.references);
-                     });
-    sub->add_option("chapter", line.references.chapter, "such as 02; default: all");
-    CLI::Option* make = sub->add_flag("--make", line.references.make, "write them");
-    CLI::Option* random =
-        sub->add_option(
-               "--random", line.random.count,
-               "make up so many scenes instead: each must be equal by POV-Ray, or refused by the export")
-            ->transform(whole_number(1, 1'000'000))
-            ->excludes(make);
-    sub->add_option("--first", line.random.first, "number of the first random scene; default 0")
-        ->transform(whole_number(0, 1LL << 53))
-        ->needs(random);
-    sub->group(for_maintainers);
-
-    sub = line.command("exercises",
-                       "report generated files that differ: exercises, and the table of scene commands",
-                       "exercises", [&line] { return run_exercises(line.make, line.json); });
-    sub->add_flag("--make", line.make, "write them");
-    sub->group(for_maintainers);
-
-    sub = line.command("figures", "draw the lessons' figures again and report any that changed", "figures 02",
-                       [&line] { return run_figures(line.chapter, line.make, line.json); });
-    sub->add_option("chapter", line.chapter, "such as 02; default: all");
-    sub->add_flag("--make", line.make, "write them");
-    sub->group(for_maintainers);
-}
 
 /// The chosen command, or the program itself.
 const CLI::App& chosen(const CLI::App& app) {
@@ -306,24 +70,18 @@ std::string not_started(const NotImplemented& error) {
     }
 }
 
-}  // namespace
-
-namespace {
+/// --json is one option for all commands.
+void hand_on_json(CommandLine& line) {
+    line.check.json = line.render.json = line.compare.json = line.explain.json = line.trace.json =
+        line.export_scene.json = line.tour.json = line.references.json = line.random.json = line.report.json =
+            line.json;
+}
 
 /// `write_error` becomes the reason why something could not be written to standard output, if that ended it.
 int run_line(int argc, char** argv, int& write_error) {
     try {
-        Line line;
-        line.app.require_subcommand(0, 1);
-        line.app.add_flag("--json", line.json, "one JSON object on standard output, nothing else there");
-        line.app.footer(
-            "Without a command: where you are, and what to do next.\n"
-            "Example:\n  ./course check 02\n"
-            "Each command has --help.");
-        add_learning(line);
-        add_pictures(line);
-        add_project(line);
-        refuse_empty_values(line.app);
+        CommandLine line;
+        describe_commands(line);
         line.render.arguments.assign(argv + 1, argv + argc);
         try {
             line.app.parse(argc, argv);
@@ -333,9 +91,7 @@ int run_line(int argc, char** argv, int& write_error) {
         } catch (const CLI::ParseError& error) {
             return usage_error(line.app, error);
         }
-        line.check.json = line.render.json = line.compare.json = line.explain.json = line.trace.json =
-            line.export_scene.json = line.tour.json = line.references.json = line.random.json =
-                line.report.json = line.json;
+        hand_on_json(line);
         return line.action();
     } catch (const NotImplemented& error) {
         say(not_started(error));

@@ -1,10 +1,11 @@
-// `course render` and `course explain`: a scene as a picture, and what it took.
+// `course render`: a scene as a picture, and what it took.
 #include "common/render/render.hpp"
 #include "common/commands/commands.hpp"
 #include "common/image/file.hpp"
 #include "common/image/in_terminal.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
+#include "common/pictures/reasons_json.hpp"
 #include "common/pictures/scene_file.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/explain.hpp"
@@ -97,12 +98,6 @@ void become_mine(const RenderCommand& command) {
     throw std::runtime_error(line.front() + " cannot be started");
 }
 
-ordered_json to_json(const std::vector<Reason>& reasons) {
-    auto list = ordered_json::array();
-    for (const Reason& reason : reasons) list.push_back({{"what", reason.what}, {"why", reason.why}});
-    return list;
-}
-
 std::uint64_t all_rays(const RayCounts& rays) {
     return rays.camera + rays.shadow + rays.reflection + rays.refraction;
 }
@@ -115,6 +110,52 @@ std::string sampling_of(const RenderResult& result) {
     return fmt::format("{:.6g} samples a pixel{}, ", result.samples_per_pixel, error);
 }
 
+/// What the command line says instead of the scene.
+void change(Scene& scene, const RenderCommand& command) {
+    if (!command.size.empty()) std::tie(scene.width, scene.height) = size_from(command.size);
+    if (!command.integrator.empty()) scene.integrator = integrator_named(command.integrator);
+    if (command.samples) scene.sampling.count = *command.samples;
+    if (command.seed) scene.sampling.seed = *command.seed;
+    if (scene.integrator == Integrator::Rasterize && (command.seconds || command.error))
+        throw InputError("--seconds and --error: scan conversion takes one sample a pixel, and is done then");
+}
+
+RenderResult rendered(const World& world, const RenderCommand& command, const fs::path& output) {
+    Progress progress(output.filename().string(), !command.quiet);
+    RenderOptions options;
+    options.threads = command.threads;
+    options.seconds = command.seconds;
+    options.error = command.error;
+    options.progress = [&](Real fraction) { progress.update(fraction); };
+    return render(world, options);
+}
+
+void print_json(const Scene& scene, const World& world, const RenderResult& result, const fs::path& output) {
+    const RayCounts& rays = result.rays;
+    const ordered_json object = {
+        {"output", output.string()},
+        {"width", scene.width},
+        {"height", scene.height},
+        {"seconds", result.seconds},
+        {"cpu_seconds", result.cpu_seconds},
+        {"samples_per_pixel", result.samples_per_pixel},
+        {"rms_error", result.rms_error ? ordered_json(*result.rms_error) : ordered_json(nullptr)},
+        {"rays",
+         {{"camera", rays.camera},
+          {"shadow", rays.shadow},
+          {"reflection", rays.reflection},
+          {"refraction", rays.refraction}}},
+        {"random_numbers", rays.random_numbers},
+        {"left_out", reasons_json(explain(scene, world).left_out)}};
+    fmt::print("{}\n", json_text(object));
+}
+
+void show(const Image& image, Encoding encoding) {
+    const TerminalSize terminal = terminal_size(stdout);
+    fmt::print("{}", preview(image, encoding, terminal.columns, terminal.rows - 3));
+    std::fflush(stdout);
+}
+
 }  // namespace
 
 int run_render(const RenderCommand& command) {
@@ -123,97 +164,29 @@ int run_render(const RenderCommand& command) {
     const fs::path output = output_of(command, scene, warnings);
     require_no_input(output, files_of(command.scene, scene));
     require_writable(output);
-    if (!command.size.empty()) std::tie(scene.width, scene.height) = size_from(command.size);
-    if (!command.integrator.empty()) scene.integrator = integrator_named(command.integrator);
-    if (command.samples) scene.sampling.count = *command.samples;
-    if (command.seed) scene.sampling.seed = *command.seed;
-    if (scene.integrator == Integrator::Rasterize && (command.seconds || command.error))
-        throw InputError("--seconds and --error: scan conversion takes one sample a pixel, and is done then");
+    change(scene, command);
 
     const char* linked = std::getenv(mine_variable);
     if (!linked && !command.solutions) become_mine(command);
     for (const std::string& warning : warnings) say(warning);  // not before: what it becomes says them, too
 
     const World world = compile(scene);
-    Progress progress(output.filename().string(), !command.quiet);
-    RenderOptions options;
-    options.threads = command.threads;
-    options.seconds = command.seconds;
-    options.error = command.error;
-    options.progress = [&](Real fraction) { progress.update(fraction); };
-    const RenderResult result = render(world, options);
-    progress.clear();
+    const RenderResult result = rendered(world, command, output);
     write_image(output, result.image, scene.encoding);
     // A whole pass may take longer than the time that was given, and the person should know why.
     if (command.seconds && result.seconds > 1.1 * *command.seconds)
         say("one sample a pixel takes longer than {}", duration(*command.seconds));
 
     if (command.json) {
-        const RayCounts& rays = result.rays;
-        const ordered_json object = {
-            {"output", output.string()},
-            {"width", scene.width},
-            {"height", scene.height},
-            {"seconds", result.seconds},
-            {"cpu_seconds", result.cpu_seconds},
-            {"samples_per_pixel", result.samples_per_pixel},
-            {"rms_error", result.rms_error ? ordered_json(*result.rms_error) : ordered_json(nullptr)},
-            {"rays",
-             {{"camera", rays.camera},
-              {"shadow", rays.shadow},
-              {"reflection", rays.reflection},
-              {"refraction", rays.refraction}}},
-            {"random_numbers", rays.random_numbers},
-            {"left_out", to_json(explain(scene, world).left_out)}};
-        fmt::print("{}\n", json_text(object));
+        print_json(scene, world, result, output);
         return 0;
     }
-    if (command.preview) {
-        const TerminalSize terminal = terminal_size(stdout);
-        fmt::print("{}", preview(result.image, scene.encoding, terminal.columns, terminal.rows - 3));
-        std::fflush(stdout);
-    }
+    if (command.preview) show(result.image, scene.encoding);
     if (!command.quiet)
         say("{}  {} × {}, {}{}, {}; {}", output.string(), scene.width, scene.height, sampling_of(result),
             counted(static_cast<long long>(all_rays(result.rays)), "ray"), duration(result.seconds),
             linked ? fmt::format("your code for {}, solutions for the rest", linked)
                    : std::string("solutions for all chapters"));
-    return 0;
-}
-
-int run_explain(const ExplainCommand& command) {
-    std::vector<std::string> warnings;
-    const Scene scene = read_scene(command.scene, command.lenient, warnings);
-    for (const std::string& warning : warnings) say(warning);
-    const Explanation explanation = explain(scene, compile(scene));
-    if (command.json) {
-        const ordered_json object = {{"scene", command.scene.string()},
-                                     {"kept", to_json(explanation.kept)},
-                                     {"left_out", to_json(explanation.left_out)},
-                                     {"chapters", explanation.chapters},
-                                     {"bytes", explanation.bytes}};
-        fmt::print("{}\n", json_text(object));
-        return 0;
-    }
-    const auto print = [](std::string_view title, const std::vector<Reason>& reasons) {
-        if (reasons.empty()) return;
-        fmt::print("{}\n", paint(title, Tone::Bold));
-        for (const Reason& reason : reasons)
-            fmt::print("  {}: {}\n", printable(reason.what), printable(reason.why));
-        fmt::print("\n");
-    };
-    print("Kept", explanation.kept);
-    print("Left out", explanation.left_out);
-
-    fmt::print("{}", paint("Drawn by", Tone::Bold));
-    const std::vector<Chapter> chapters = read_catalogue(this_project());
-    for (const std::string& number : explanation.chapters) {
-        const auto found = std::find_if(chapters.begin(), chapters.end(),
-                                        [&](const Chapter& chapter) { return chapter.number == number; });
-        fmt::print("{} {}{}", number == explanation.chapters.front() ? "" : ",", number,
-                   found == chapters.end() ? "" : " " + found->title);
-    }
-    fmt::print("\nin {} of memory\n", counted(static_cast<long long>(explanation.bytes), "byte"));
     return 0;
 }
 

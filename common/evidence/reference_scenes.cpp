@@ -21,15 +21,10 @@ std::vector<std::string> scene_files(const fs::path& directory, const Chapter& c
         if (!fs::exists(directory / file))
             throw InputError(fmt::format("chapters/{}/chapter.json: references/{}/{} does not exist",
                                          chapter.name, chapter.name, file));
-    std::vector<std::string> others;
-    if (fs::exists(directory))
-        for (const auto& entry : fs::directory_iterator(directory)) {
-            const std::string file = entry.path().filename().string();
-            if (entry.path().extension() == ".scene" && std::ranges::find(files, file) == files.end())
-                others.push_back(file);
-        }
-    std::ranges::sort(others);
-    files.insert(files.end(), others.begin(), others.end());
+    for (const fs::path& path : files_in(directory, {".scene"}))
+        if (const std::string file = path.filename().string();
+            std::ranges::find(chapter.scenes, file) == chapter.scenes.end())
+            files.push_back(file);
     return files;
 }
 

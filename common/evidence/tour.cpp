@@ -13,8 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace rt {
 
 namespace fs = std::filesystem;
@@ -54,12 +52,7 @@ TourPart base_format(const Project& project) {
         "to compare them with.",
         {}};
     const fs::path directory = project.root / "tests" / "common" / "base_scenes";
-    if (!fs::exists(directory)) return part;
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(directory))
-        if (entry.path().extension() == ".test") files.push_back(entry.path());
-    std::ranges::sort(files);
-    for (const fs::path& file : files)
+    for (const fs::path& file : files_in(directory, {".test"}))
         part.stops.push_back({.scene = {.chapter = part.name, .name = file.stem().string(), .scene = file}});
     return part;
 }

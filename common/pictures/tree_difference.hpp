@@ -18,6 +18,9 @@ struct TraceDifference {
     std::string step;  ///< the step that computes the quantity, such as "02.3"
 };
 
+/// The quantity in which two trees differ whose rays are all the same, and are summed up differently.
+inline constexpr const char* colour_of_pixel = "colour of the pixel";
+
 /// Compares two trees as `course trace --json` prints them. Numbers that differ by less than 1e-9 of their
 /// size are the same: another order of the same operations may change as much.
 std::optional<TraceDifference> first_difference(const nlohmann::ordered_json& mine,

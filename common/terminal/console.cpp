@@ -22,10 +22,6 @@ namespace {
 constexpr double seconds_before_progress = 1;
 constexpr double seconds_between_updates = 0.1;
 
-double seconds_between(std::chrono::steady_clock::time_point a, std::chrono::steady_clock::time_point b) {
-    return std::chrono::duration<double>(b - a).count();
-}
-
 }  // namespace
 
 bool has_color(std::FILE* stream) {
@@ -76,9 +72,7 @@ TerminalSize terminal_size(std::FILE* stream) {
 }
 
 Progress::Progress(std::string what, bool enabled)
-    : label(std::move(what)), visible(enabled && isatty(STDERR_FILENO)) {
-    start = last = std::chrono::steady_clock::now();
-}
+    : label(std::move(what)), visible(enabled && isatty(STDERR_FILENO)) {}
 
 Progress::~Progress() { clear(); }
 
@@ -94,10 +88,9 @@ void Progress::update(double fraction, std::string_view what) {
     if (!visible) return;
     const std::lock_guard lock(mutex);
     if (!what.empty()) label = what;
-    const auto now = std::chrono::steady_clock::now();
-    const double so_far = seconds_between(start, now);
-    if (so_far < seconds_before_progress || seconds_between(last, now) < seconds_between_updates) return;
-    last = now;
+    const double so_far = since_start.seconds();
+    if (so_far < seconds_before_progress || since_update.seconds() < seconds_between_updates) return;
+    since_update = {};
     drawn = true;
     const std::string line = fmt::format(
         "\r{}\033[K", progress_line(printable(label), fraction, so_far, terminal_size(stderr).columns));

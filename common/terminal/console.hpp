@@ -1,9 +1,10 @@
 // What a person sees in the terminal: colour where it is wanted, and how far long work has come.
 #pragma once
 
+#include "common/math/stopwatch.hpp"
+
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 #include <mutex>
 #include <string>
@@ -65,7 +66,7 @@ private:
     std::string label;
     bool visible = false;
     bool drawn = false;
-    std::chrono::steady_clock::time_point start, last;
+    Stopwatch since_start, since_update;
 };
 
 /// The line that Progress draws: label, bar, per cent, and the time that is left.

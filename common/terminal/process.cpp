@@ -1,6 +1,8 @@
 // Another program as a child of this one: its output, its end, and a limit on its time.
 #include "common/terminal/process.hpp"
 
+#include "common/math/stopwatch.hpp"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
@@ -9,7 +11,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -21,8 +22,6 @@ namespace rt {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // The sanitizers reserve terabytes of addresses.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool sanitized = true;
@@ -31,10 +30,6 @@ constexpr bool sanitized = __has_feature(address_sanitizer);
 #else
 constexpr bool sanitized = false;
 #endif
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The program's file, found as a shell would find it.
 std::string found_program(const std::string& name) {
@@ -121,7 +116,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
     int pipe_ends[2];
     if (pipe(pipe_ends) != 0) throw std::runtime_error("no pipe to another program could be opened");
     for (const int end : pipe_ends) fcntl(end, F_SETFD, FD_CLOEXEC);
-    const auto start = Clock::now();
+    const Stopwatch stopwatch;
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("no other program could be started");
     if (child == 0) {
@@ -155,9 +150,9 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
             const std::string_view text(buffer, static_cast<std::size_t>(count));
             result.output += text.substr(0, options.output_limit - result.output.size());
             lines.add(text);
-            if (options.time_limit > 0 && seconds_since(start) > options.time_limit) break;
+            if (options.time_limit > 0 && stopwatch.seconds() > options.time_limit) break;
         }
-        if (!ended && options.time_limit > 0 && seconds_since(start) > options.time_limit) {
+        if (!ended && options.time_limit > 0 && stopwatch.seconds() > options.time_limit) {
             kill(child, SIGKILL);
             result.timed_out = true;
         }
@@ -167,7 +162,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
     if (!lines.rest.empty()) options.on_line(lines.rest);
     result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
     result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    result.seconds = seconds_since(start);
+    result.seconds = stopwatch.seconds();
     return result;
 }
 

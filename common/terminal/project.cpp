@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace rt {
@@ -24,6 +25,18 @@ fs::path memory(const Project& project, std::string_view name) {
 std::string relative(const Project& project, const fs::path& path) {
     const fs::path inside = fs::absolute(path).lexically_normal().lexically_relative(project.root);
     return inside.empty() || *inside.begin() == ".." ? path.string() : inside.string();
+}
+
+std::vector<fs::path> files_in(const fs::path& directory, const std::vector<std::string>& endings) {
+    std::vector<fs::path> files;
+    if (!fs::is_directory(directory)) return files;
+    for (const auto& entry : fs::directory_iterator(directory))
+        if (entry.is_regular_file() &&
+            (endings.empty() ||
+             std::ranges::find(endings, entry.path().extension().string()) != endings.end()))
+            files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
 }
 
 std::string fingerprint(std::string_view text) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rt {
 
@@ -24,6 +25,11 @@ std::filesystem::path memory(const Project& project, std::string_view name);
 
 /// The path as a person at the repository's root would write it; unchanged if it is outside.
 std::string relative(const Project& project, const std::filesystem::path& path);
+
+/// Files of a directory with one of these endings, such as ".cpp", or all for none; sorted, and none if there
+/// is no such directory. Directories are no files.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& directory,
+                                            const std::vector<std::string>& endings = {});
 
 /// FNV-1a (Fowler, Noll & Vo), 64 bits, as 16 hexadecimal digits: tells whether a text has changed.
 std::string fingerprint(std::string_view text);

@@ -111,11 +111,6 @@ Chapter read_chapter(const Project& project, const fs::path& directory) {
     return chapter;
 }
 
-bool is_chapter_name(const std::string& name) {
-    return name.size() > 3 && std::isdigit(static_cast<unsigned char>(name[0])) &&
-           std::isdigit(static_cast<unsigned char>(name[1])) && name[2] == '_';
-}
-
 /// A chapter that has only its contract so far is not in the catalogue.
 bool has_exercises(const fs::path& directory) {
     return std::any_of(fs::directory_iterator(directory), fs::directory_iterator(), [](const auto& entry) {
@@ -130,6 +125,11 @@ std::string with_zero(std::string_view text) {
 }
 
 }  // namespace
+
+bool is_chapter_name(std::string_view name) {
+    return name.size() > 3 && std::isdigit(static_cast<unsigned char>(name[0])) &&
+           std::isdigit(static_cast<unsigned char>(name[1])) && name[2] == '_';
+}
 
 std::vector<Chapter> read_catalogue(const Project& project) {
     std::vector<fs::path> directories;

@@ -26,6 +26,9 @@ struct Chapter {
     std::vector<std::string> scenes;  ///< in references/NN_name; the first is the chapter's picture
 };
 
+/// Whether a directory's name is a chapter's: two digits, an underscore, and something.
+bool is_chapter_name(std::string_view name);
+
 /// All chapters that have exercises, by number. Throws InputError, which names file and key, for a missing
 /// key or one of the wrong type, a step's number that is twice there or not of this chapter, fewer than three
 /// hints, points that are not positive, and files that do not exist.

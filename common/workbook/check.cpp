@@ -114,8 +114,8 @@ std::string first_error(const Project& project, const std::string& output) {
     return without_root(project, linker.empty() ? last : linker);
 }
 
-TestOutcome run_tests(const Project& project, const std::string& name, const std::string& tag, bool quick,
-                      double limit) {
+TestOutcome run_test_program(const Project& project, const std::string& name, const std::string& tag,
+                             bool quick, double limit) {
     const fs::path report = own_directory(project) / (name + ".jsonl");
     fs::remove(report);
 
@@ -140,13 +140,13 @@ TestOutcome run_tests(const Project& project, const std::string& name, const std
 }
 
 ChapterResult judge_program(const Project& project, const Chapter& chapter, const std::string& name) {
-    const TestOutcome all = run_tests(project, name, "", true, time_limit);
+    const TestOutcome all = run_test_program(project, name, "", true, time_limit);
     ChapterResult result{chapter.name, "", {}};
     // Without a test that started, it is the program itself that dies: trying again would not help.
     const bool hopeless = !all.death.empty() && all.report.ended.empty() && !all.report.died_in;
     for (const Step& step : chapter.steps) {
         // What failed before the end says more than the end does: plain tests run first.
-        const StepResult ended = judge(step.id, all.report.ended);
+        const StepResult ended = result_of(step.id, all.report.ended);
         const bool has_failed = std::any_of(
             all.report.ended.begin(), all.report.ended.end(),
             [&](const TestRun& test) { return test.state == State::Failed && concerns(test, step.id); });
@@ -155,8 +155,8 @@ ChapterResult judge_program(const Project& project, const Chapter& chapter, cons
         } else if (hopeless || (all.report.died_in && concerns(*all.report.died_in, step.id))) {
             result.steps.push_back(died(step.id, all));
         } else {
-            const TestOutcome alone = run_tests(project, name, step.id, true, time_limit_alone);
-            result.steps.push_back(alone.death.empty() ? judge(step.id, alone.report.ended)
+            const TestOutcome alone = run_test_program(project, name, step.id, true, time_limit_alone);
+            result.steps.push_back(alone.death.empty() ? result_of(step.id, alone.report.ended)
                                                        : died(step.id, alone));
         }
     }

@@ -29,8 +29,8 @@ struct TestOutcome {
 };
 
 /// Runs a test program on the tests with a tag, or on all. `time_limit` in seconds, 0 for none.
-TestOutcome run_tests(const Project& project, const std::string& name, const std::string& tag, bool quick,
-                      double time_limit);
+TestOutcome run_test_program(const Project& project, const std::string& name, const std::string& tag,
+                             bool quick, double time_limit);
 
 /// Tests a program of a chapter that is built: all its steps, one at a time after a crash or a hang.
 ChapterResult judge_program(const Project& project, const Chapter& chapter, const std::string& name);

@@ -20,9 +20,6 @@ struct Drift {
 /// the chapter does not have, and for a step that no mark of its file names.
 std::vector<Drift> drifted_exercises(const Project& project, const std::vector<Chapter>& chapters);
 
-/// These, and the reference of scenes if its table of commands is not the parser's.
-std::vector<Drift> drifted_files(const Project& project, const std::vector<Chapter>& chapters);
-
 /// Whether a student works here: in some exercise a step has been started.
 bool is_students_tree(const Project& project, const std::vector<Chapter>& chapters);
 

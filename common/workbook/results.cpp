@@ -23,17 +23,6 @@ State state_named(const std::string& name) {
     return name == "passed" ? State::Passed : name == "failed" ? State::Failed : State::Todo;
 }
 
-/// Files of a directory with one of these endings, sorted; none if there is no such directory.
-std::vector<fs::path> files_in(const fs::path& directory, const std::vector<std::string>& endings) {
-    std::vector<fs::path> files;
-    if (!fs::is_directory(directory)) return files;
-    for (const auto& entry : fs::directory_iterator(directory))
-        if (std::find(endings.begin(), endings.end(), entry.path().extension()) != endings.end())
-            files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 fs::path memory_file(const Project& project) { return memory(project, "state.json"); }
 
 json read_memory(const Project& project) {
@@ -104,7 +93,7 @@ bool is_family(const TestRun& test) {
     return std::find(test.steps.begin(), test.steps.end(), family_tag) != test.steps.end();
 }
 
-StepResult judge(const std::string& step, const std::vector<TestRun>& tests) {
+StepResult result_of(const std::string& step, const std::vector<TestRun>& tests) {
     int total = 0, passed = 0;
     const TestRun *failure = nullptr, *own_todo = nullptr, *other_todo = nullptr;
     for (const TestRun& test : tests) {
@@ -147,6 +136,18 @@ KnownResult known_result(const Project& project, const Chapter& chapter) {
         known.current = false;
     }
     return known;
+}
+
+std::vector<KnownResult> known_results(const Project& project, const std::vector<Chapter>& chapters) {
+    std::vector<KnownResult> known;
+    for (const Chapter& chapter : chapters) known.push_back(known_result(project, chapter));
+    return known;
+}
+
+std::vector<ChapterResult> results_of(const std::vector<KnownResult>& known) {
+    std::vector<ChapterResult> results;
+    for (const KnownResult& chapter : known) results.push_back(chapter.result);
+    return results;
 }
 
 void remember(const Project& project, const Chapter& chapter, const ChapterResult& result,

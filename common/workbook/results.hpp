@@ -58,7 +58,7 @@ bool is_family(const TestRun& test);
 
 /// What these test cases say about a step; of those that failed, the first plain one speaks, else the first
 /// family. A step that no test names has failed.
-StepResult judge(const std::string& step, const std::vector<TestRun>& tests);
+StepResult result_of(const std::string& step, const std::vector<TestRun>& tests);
 
 /// What is known about a chapter without building anything.
 struct KnownResult {
@@ -68,6 +68,12 @@ struct KnownResult {
 
 /// An exercise that was not touched is all todo, and current. Never throws for a damaged memory.
 KnownResult known_result(const Project& project, const Chapter& chapter);
+
+/// The same of all chapters, in their order.
+std::vector<KnownResult> known_results(const Project& project, const std::vector<Chapter>& chapters);
+
+/// Only the results, without what is known of the files.
+std::vector<ChapterResult> results_of(const std::vector<KnownResult>& known);
 
 /// Changes with everything that a verdict depends on and a student or teacher may edit.
 std::string sources_fingerprint(const Project& project, const Chapter& chapter);

@@ -3,7 +3,7 @@
 #include "common/math/input_error.hpp"
 #include "common/workbook/check.hpp"
 #include "common/workbook/drift.hpp"
-#include "common/workbook/verdict.hpp"
+#include "common/workbook/result_text.hpp"
 #include "tests/catch.hpp"
 #include "tests/program/sandbox.hpp"
 
@@ -63,7 +63,7 @@ TEST_CASE("a report is read as far as it was written") {
 
 TEST_CASE("a step has failed if any of its tests has") {
     const StepResult result =
-        judge("02.1", {run(State::Passed, {"02.1"}), run(State::Todo, {"02.1"}, "02.1"),
+        result_of("02.1", {run(State::Passed, {"02.1"}), run(State::Todo, {"02.1"}, "02.1"),
                        run(State::Failed, {"02.1", "02.2"}), run(State::Passed, {"02.2"})});
     CHECK(result.state == State::Failed);
     CHECK(result.message == "a test\na.cpp:1: CHECK( x )");
@@ -72,23 +72,23 @@ TEST_CASE("a step has failed if any of its tests has") {
 TEST_CASE("a plain test speaks before a family of extreme cases, whichever failed first") {
     TestRun family = run(State::Failed, {"02.1", "stability"}), plain = run(State::Failed, {"02.1"});
     family.name = "a family";
-    CHECK(judge("02.1", {family, plain}).message == "a test\na.cpp:1: CHECK( x )");
-    CHECK(judge("02.1", {plain, family}).message == "a test\na.cpp:1: CHECK( x )");
-    CHECK(judge("02.1", {family, run(State::Passed, {"02.1"})}).message == "a family\na.cpp:1: CHECK( x )");
+    CHECK(result_of("02.1", {family, plain}).message == "a test\na.cpp:1: CHECK( x )");
+    CHECK(result_of("02.1", {plain, family}).message == "a test\na.cpp:1: CHECK( x )");
+    CHECK(result_of("02.1", {family, run(State::Passed, {"02.1"})}).message == "a family\na.cpp:1: CHECK( x )");
 }
 
 TEST_CASE("a step is todo while a function that its tests need is not started") {
-    CHECK(judge("02.1", {run(State::Todo, {"02.1"}, "02.1")}).state == State::Todo);
-    CHECK(judge("02.1", {run(State::Todo, {"02.1"}, "02.1")}).message.empty());
-    CHECK(judge("02.2", {run(State::Todo, {"02.2"}, "02.1")}).message == "waits for step 02.1");
-    CHECK(judge("02.1", {run(State::Passed, {"02.1"}), run(State::Todo, {"02.1"}, "02.1")}).message ==
+    CHECK(result_of("02.1", {run(State::Todo, {"02.1"}, "02.1")}).state == State::Todo);
+    CHECK(result_of("02.1", {run(State::Todo, {"02.1"}, "02.1")}).message.empty());
+    CHECK(result_of("02.2", {run(State::Todo, {"02.2"}, "02.1")}).message == "waits for step 02.1");
+    CHECK(result_of("02.1", {run(State::Passed, {"02.1"}), run(State::Todo, {"02.1"}, "02.1")}).message ==
           "begun: 1 of 2 tests pass");
 }
 
 TEST_CASE("a step passes when all its tests do, and there are some") {
-    CHECK(judge("02.1", {run(State::Passed, {"02.1"}), run(State::Failed, {"02.2"})}).state == State::Passed);
-    CHECK(judge("02.3", {run(State::Passed, {"02.1"})}).state == State::Failed);
-    CHECK(judge("02.3", {}).message == "no test has the tag [02.3]");
+    CHECK(result_of("02.1", {run(State::Passed, {"02.1"}), run(State::Failed, {"02.2"})}).state == State::Passed);
+    CHECK(result_of("02.3", {run(State::Passed, {"02.1"})}).state == State::Failed);
+    CHECK(result_of("02.3", {}).message == "no test has the tag [02.3]");
 }
 
 TEST_CASE("an exercise that was not touched is todo without a check") {
@@ -210,7 +210,7 @@ TEST_CASE("verdicts as JSON have the documented form") {
     const Tree tree;
     ChapterResult result = all_todo(tree.chapter());
     result.steps[1] = {"02.2", State::Failed, "why"};
-    CHECK(verdicts_json(tree.chapters, {result}).dump() ==
+    CHECK(results_json(tree.chapters, {result}).dump() ==
           R"({"chapters":[{"id":"02_spheres","title":"Spheres","steps":[)"
           R"({"id":"02.1","title":"First","points":10,"state":"todo","message":""},)"
           R"({"id":"02.2","title":"Second","points":5,"state":"failed","message":"why"}]}]})");

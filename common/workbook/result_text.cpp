@@ -1,5 +1,5 @@
 // How results are shown: a line a step, one next action, and the same as JSON.
-#include "common/workbook/verdict.hpp"
+#include "common/workbook/result_text.hpp"
 
 #include "common/terminal/console.hpp"
 #include "common/workbook/exercise.hpp"
@@ -77,8 +77,8 @@ std::string next_action(const Project& project, const std::vector<Chapter>& chap
                : "every step has passed: ./course tour shows all the pictures";
 }
 
-nlohmann::ordered_json verdicts_json(const std::vector<Chapter>& chapters,
-                                     const std::vector<ChapterResult>& results) {
+nlohmann::ordered_json results_json(const std::vector<Chapter>& chapters,
+                                    const std::vector<ChapterResult>& results) {
     auto list = nlohmann::ordered_json::array();
     for (const ChapterResult& result : results) {
         const Chapter& chapter = find_chapter(chapters, result.chapter);

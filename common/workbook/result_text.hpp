@@ -26,7 +26,7 @@ std::string next_action(const Chapter& chapter, const ChapterResult& result);
 
 /// {"chapters":[{"id","title","steps":[{"id","title","points","state","message"}]}]}: the results
 /// may be of some chapters, and of some of their steps.
-nlohmann::ordered_json verdicts_json(const std::vector<Chapter>& chapters,
-                                     const std::vector<ChapterResult>& results);
+nlohmann::ordered_json results_json(const std::vector<Chapter>& chapters,
+                                    const std::vector<ChapterResult>& results);
 
 }  // namespace rt

@@ -1,0 +1,73 @@
+// `course figures`: whether the lessons' figures are what their programs draw.
+#include "common/commands/changed_files.hpp"
+#include "common/commands/commands.hpp"
+#include "common/image/whole_file.hpp"
+#include "common/terminal/process.hpp"
+#include "common/workbook/catalogue.hpp"
+#include "common/workbook/check.hpp"
+
+#include <stdexcept>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Timings differ each time.
+bool is_measured(const fs::path& file) { return file.filename().string().starts_with("measured_"); }
+
+/// Builds and runs a chapter's program; returns the directory with what it has drawn.
+fs::path draw_figures(const Project& project, const Chapter& chapter) {
+    const std::string target = "figures_" + chapter.number;
+    const BuildResult build = build_targets(project, {target}, "Building " + target);
+    if (!build.ok) throw std::runtime_error(build.message);
+    const fs::path drawn = project.build / "figures" / chapter.name;
+    fs::remove_all(drawn);
+    make_directories(drawn);
+    const ProcessResult result = run_process({program(project, target).string(), drawn.string()});
+    if (!succeeded(result)) throw std::runtime_error(target + " failed: " + result.output);
+    return drawn;
+}
+
+/// What of the chapter's figures differs from what was drawn; `make` writes it.
+std::vector<std::string> changed_figures(const Project& project, const fs::path& drawn, const fs::path& kept,
+                                         bool make) {
+    std::vector<std::string> changed;
+    for (const fs::path& file : files_in(drawn)) {
+        const fs::path old = kept / file.filename();
+        const std::string figure = read_file(file);
+        const bool equal = fs::exists(old) && (is_measured(file) || read_file(old) == figure);
+        if (equal && !(make && is_measured(file))) continue;
+        if (make) {
+            make_directories(kept);
+            write_file(old, figure);
+        }
+        changed.push_back(relative(project, old));
+    }
+    for (const fs::path& old : files_in(kept)) {
+        if (fs::exists(drawn / old.filename())) continue;
+        if (make) fs::remove(old);
+        changed.push_back(relative(project, old) + " (no longer drawn)");
+    }
+    return changed;
+}
+
+}  // namespace
+
+int run_figures(const std::string& number, bool make, bool json) {
+    const Project project = this_project();
+    const std::vector<Chapter> chapters = read_catalogue(project);
+    const Chapter* only = number.empty() ? nullptr : &find_chapter(chapters, number);
+    std::vector<std::string> changed;
+    for (const Chapter& chapter : chapters) {
+        const fs::path references = project.root / "references" / chapter.name;
+        if ((only && only != &chapter) || !fs::exists(references / "figures.cpp")) continue;
+        const fs::path drawn = draw_figures(project, chapter);
+        for (const std::string& file : changed_figures(project, drawn, references / "figures", make))
+            changed.push_back(file);
+    }
+    return report_changed(changed, make, json, "./course figures --make");
+}
+
+}  // namespace rt

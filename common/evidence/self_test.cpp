@@ -1,0 +1,87 @@
+// Every test of the project, part by part: test programs, exercises and scripts.
+#include "common/evidence/self_test.hpp"
+
+#include "common/evidence/drifted_files.hpp"
+#include "common/terminal/process.hpp"
+#include "common/workbook/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A test program that takes longer hangs. The longest takes minutes on two cores.
+constexpr double program_seconds = 1800;
+
+}  // namespace
+
+void SelfTest::expect(bool good, const std::string& problem) {
+    ++(good ? passed : failed);
+    if (!good) problems.push_back(problem);
+}
+
+std::vector<std::string> built(const Project& project, const std::vector<std::string>& programs,
+                               SelfTest& part) {
+    if (programs.empty() || build_targets(project, programs, part.name, true).ok) return programs;
+    std::vector<std::string> good;
+    for (const std::string& name : programs) {
+        const BuildResult build = build_targets(project, {name}, name);
+        if (build.ok)
+            good.push_back(name);
+        else
+            part.expect(false, name + " does not build: " + build.message);
+    }
+    return good;
+}
+
+void test_program(const Project& project, const std::string& name, bool quick, SelfTest& part) {
+    const TestOutcome outcome = run_test_program(project, name, "", quick, program_seconds);
+    for (const TestRun& test : outcome.report.ended) {
+        const std::string why = test.state == State::Todo ? "waits for step " + test.missing : test.message;
+        part.expect(test.state == State::Passed, test.name + "\n" + why);
+    }
+    const std::vector<TestRun>& ended = outcome.report.ended;
+    const auto first_family = std::find_if(ended.begin(), ended.end(), is_family);
+    const auto late = std::find_if_not(first_family, ended.end(), is_family);
+    part.expect(late == ended.end(),
+                fmt::format("{}: the plain test \"{}\" comes after a family of extreme cases", name,
+                            late == ended.end() ? "" : late->name));
+    if (!outcome.death.empty())
+        part.expect(false, fmt::format("{} {} in \"{}\"", name, outcome.death,
+                                       outcome.report.died_in ? outcome.report.died_in->name : "no test"));
+    if (outcome.death.empty() && outcome.report.ended.empty()) part.expect(false, name + " has no tests");
+}
+
+void test_exercises(const Project& project, const std::vector<Chapter>& chapters, SelfTest& part) {
+    std::vector<std::string> programs;
+    for (const Chapter& chapter : chapters) programs.push_back("check_" + chapter.number);
+    const std::vector<std::string> good = built(project, programs, part);
+    for (std::size_t i = 0; i < chapters.size(); ++i) {
+        if (std::find(good.begin(), good.end(), programs[i]) == good.end()) continue;
+        for (const StepResult& step : judge_program(project, chapters[i], programs[i]).steps)
+            part.expect(step.state == State::Todo, fmt::format("step {} is {} before it is started: {}",
+                                                               step.id, name_of(step.state), step.message));
+    }
+    const std::vector<Drift> drifted = drifted_files(project, chapters);
+    for (const Drift& drift : drifted)
+        part.problems.push_back(relative(project, drift.file) +
+                                " is not what it is generated from; ./course exercises --make writes it");
+    ++(drifted.empty() ? part.passed : part.failed);
+}
+
+void test_scripts(const Project& project, SelfTest& part) {
+    for (const fs::path& script : files_in(project.root / "tests" / "program", {".sh"})) {
+        ProcessOptions options;
+        options.environment = {{"COURSE_ROOT", project.root.string()},
+                               {"COURSE_BUILD", project.build.string()}};
+        const ProcessResult result = run_process({"bash", script.string()}, options);
+        part.expect(succeeded(result), relative(project, script) + "\n" + result.output);
+    }
+}
+
+}  // namespace rt

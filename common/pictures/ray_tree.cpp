@@ -1,0 +1,108 @@
+// The ray tree of a pixel as JSON.
+#include "common/pictures/ray_tree.hpp"
+
+#include "chapters/01_ray_casting/camera.hpp"
+#include "common/math/input_error.hpp"
+#include "common/render/compile.hpp"
+#include "common/render/shade.hpp"
+#include "common/render/trace.hpp"
+#include "common/world/shapes.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+// What a shape of a file is called: as in a world, if it stands there as it is.
+template <class Shape>
+std::string_view shape_name(const Shape&) {
+    return words<Shape>.one;
+}
+std::string_view shape_name(const TriangleObject&) { return words<Triangle>.one; }
+std::string_view shape_name(const PolygonObject&) { return words<Polygon>.one; }
+std::string_view shape_name(const MeshObject&) { return "mesh"; }
+
+std::string_view kind_name(RayKind kind) {
+    if (kind == RayKind::Reflection) return "reflection";
+    return kind == RayKind::Refraction ? "refraction" : "camera";
+}
+
+ordered_json to_json(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+/// A number, or "infinity", which JSON has no number for.
+ordered_json to_json(Real x) { return std::isinf(x) ? ordered_json("infinity") : ordered_json(x); }
+
+ordered_json to_json(const LightRecord& light) {
+    return {{"direction", to_json(light.sample.direction)},
+            {"distance", to_json(light.sample.distance)},
+            {"color", to_json(light.sample.color)},
+            {"visible", to_json(light.visible)},
+            {"contribution", to_json(light.contribution)}};
+}
+
+/// Which object of the file the primitive is.
+std::uint32_t object_of(const World& world, std::uint32_t primitive) {
+    const auto face = std::ranges::lower_bound(world.faces, primitive, {}, &BodyFace::primitive);
+    return face != world.faces.end() && face->primitive == primitive ? face->object
+                                                                     : world.primitives[primitive].object;
+}
+
+ordered_json to_json(const Scene& scene, const World& world, const TraceRecord& record) {
+    const Branch& branch = record.branch;
+    ordered_json json = {{"kind", kind_name(branch.kind)},
+                         {"parent", record.parent},
+                         {"depth", branch.depth},
+                         {"origin", to_json(branch.ray.origin)},
+                         {"direction", to_json(branch.ray.direction)},
+                         {"weight", to_json(branch.weight)},
+                         {"hit", record.hit.has_value()}};
+    if (record.hit) {
+        const Object& object = scene.objects[object_of(world, record.hit->primitive)];
+        json["shape"] = std::visit([](const auto& shape) { return shape_name(shape); }, object.shape);
+        json["line"] = object.place.line;
+        json["primitive"] = record.hit->primitive;
+        json["t"] = to_json(record.hit->t);
+        json["point"] = to_json(record.surface.point);
+        json["normal"] = to_json(record.normal);
+        json["arriving_weight"] = to_json(record.weight);
+        json["lights"] = ordered_json::array();
+        for (const LightRecord& light : record.lights) json["lights"].push_back(to_json(light));
+    }
+    json["local"] = to_json(record.local);
+    return json;
+}
+
+}  // namespace
+
+ordered_json ray_tree(const Scene& scene, int x, int y) {
+    if (x < 0 || y < 0 || x >= scene.width || y >= scene.height)
+        throw InputError(
+            fmt::format("pixel ({}, {}) is outside the picture of {} × {}", x, y, scene.width, scene.height));
+    const World world = compile(scene);
+    const Ray ray = pixel_ray(world.view, x + 0.5, y + 0.5);
+    ordered_json rays = ordered_json::array();
+    Vec3 color(0);
+    std::vector<TraceRecord> tree = trace_tree(world, ray, most_rays + 1);
+    const bool complete = tree.size() <= most_rays;
+    if (!complete) tree.pop_back();
+    for (const TraceRecord& record : tree) {
+        color += record.weight * record.local;
+        rays.push_back(to_json(scene, world, record));
+    }
+    return {{"scene", scene.file},
+            {"x", x},
+            {"y", y},
+            {"color", to_json(color_function(world)(world, ray))},
+            {"tree_color", to_json(color)},
+            {"complete", complete},
+            {"rays", rays}};
+}
+
+}  // namespace rt

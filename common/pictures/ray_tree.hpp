@@ -1,0 +1,33 @@
+// The ray tree of a pixel as JSON, and as text.
+#pragma once
+
+#include "common/scene/scene.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <string>
+
+namespace rt {
+
+/// A tree may have any number of rays: 2^depth between two panes of glass. So many are written down.
+inline constexpr std::size_t most_rays = 10'000;
+
+/// The rays through the middle of pixel (x, y) of a scene, which `course trace --json` prints:
+/// {"scene","x","y", "color","tree_color","complete","rays":[…]}, where a ray says where it comes from, what
+/// it hits and what light arrives there. Throws InputError if the picture has no such pixel.
+nlohmann::ordered_json ray_tree(const Scene& scene, int x, int y);
+
+/// Ray `index` of the list "rays" on standard output, indented by its depth.
+void print_ray(const nlohmann::ordered_json& rays, std::size_t index);
+
+/// The whole tree on standard output.
+void print_tree(const nlohmann::ordered_json& tree);
+
+/// A number of a tree, to six digits.
+std::string number_of_tree(const nlohmann::ordered_json& number);
+
+/// A vector or colour of a tree: "(1, 0, 0)".
+std::string triple_of_tree(const nlohmann::ordered_json& triple);
+
+}  // namespace rt

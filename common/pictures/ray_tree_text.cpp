@@ -1,0 +1,61 @@
+// The ray tree of a pixel as text.
+#include "common/pictures/ray_tree.hpp"
+#include "common/terminal/console.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace rt {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+/// Deeper rays are indented no farther, else a tree's text would grow with the square of its depth.
+constexpr std::size_t most_levels = 16;
+
+}  // namespace
+
+std::string number_of_tree(const ordered_json& x) {
+    return x.is_string() ? x.get<std::string>() : fmt::format("{:.6g}", x.get<Real>());
+}
+std::string triple_of_tree(const ordered_json& v) {
+    return fmt::format("({}, {}, {})", number_of_tree(v[0]), number_of_tree(v[1]), number_of_tree(v[2]));
+}
+
+void print_ray(const ordered_json& rays, std::size_t index) {
+    const ordered_json& ray = rays[index];
+    const std::size_t depth = ray["depth"].get<std::size_t>();
+    const std::string indent(4 * std::min(depth, most_levels), ' ');
+    fmt::print("{}{}{}  weight {}\n", indent,
+               paint(fmt::format("{} ray", ray["kind"].get<std::string>()), Tone::Bold),
+               depth > most_levels ? fmt::format(" of depth {}", depth) : "", triple_of_tree(ray["weight"]));
+    fmt::print("{}  from {} towards {}\n", indent, triple_of_tree(ray["origin"]),
+               triple_of_tree(ray["direction"]));
+    if (!ray["hit"].get<bool>()) {
+        fmt::print("{}  hits nothing: background {}\n", indent, triple_of_tree(ray["local"]));
+        return;
+    }
+    fmt::print("{}  hits the {} of line {} at t = {}, point {}, normal {}\n", indent,
+               ray["shape"].get<std::string>(), ray["line"].get<int>(), number_of_tree(ray["t"]),
+               triple_of_tree(ray["point"]), triple_of_tree(ray["normal"]));
+    if (ray["arriving_weight"] != ray["weight"])
+        fmt::print("{}  weight after absorption {}\n", indent, triple_of_tree(ray["arriving_weight"]));
+    for (const ordered_json& light : ray["lights"])
+        fmt::print("{}  light at distance {}, {} arriving, {} of it visible: adds {}\n", indent,
+                   number_of_tree(light["distance"]), triple_of_tree(light["color"]),
+                   triple_of_tree(light["visible"]), triple_of_tree(light["contribution"]));
+    fmt::print("{}  radiance here {}\n", indent, triple_of_tree(ray["local"]));
+}
+
+void print_tree(const ordered_json& tree) {
+    fmt::print("pixel ({}, {}) of {}: colour {}\n", tree["x"].get<int>(), tree["y"].get<int>(),
+               tree["scene"].get<std::string>(), triple_of_tree(tree["color"]));
+    for (std::size_t i = 0; i < tree["rays"].size(); ++i) print_ray(tree["rays"], i);
+    if (!tree["complete"].get<bool>())
+        fmt::print("The tree goes on: these are its first {} rays.\n", tree["rays"].size());
+}
+
+}  // namespace rt
