@@ -242,6 +242,13 @@ void add_figures(CommandLine& line) {
     sub->group(for_maintainers);
 }
 
+void add_new(CommandLine& line) {
+    CLI::App* sub = add_command(line, "new", "a new chapter's rooms, with one step that is complete",
+                                "new 10_area_lights", [&line] { return run_new(line.chapter, line.json); });
+    sub->add_option("name", line.chapter, "number and words, such as 10_area_lights")->required();
+    sub->group(for_maintainers);
+}
+
 }  // namespace
 
 void describe_commands(CommandLine& line) {
@@ -254,7 +261,7 @@ void describe_commands(CommandLine& line) {
     // In the order of --help.
     for (void (*add)(CommandLine&) : {add_check, add_list, add_hint, add_reset, add_solution, add_render,
                                       add_compare, add_explain, add_trace, add_export, add_tour, add_report,
-                                      add_test, add_references, add_exercises, add_figures})
+                                      add_test, add_references, add_exercises, add_figures, add_new})
         add(line);
     refuse_empty_values(line.app);
 }

@@ -168,6 +168,9 @@ int run_exercises(bool make, bool json);
 /// instead.
 int run_figures(const std::string& chapter, bool make, bool json);
 
+/// `course new NN_name`: makes a new chapter's column.
+int run_new(const std::string& name, bool json);
+
 /// The program: reads the command line and calls one of the above. Never throws.
 int run_course(int argc, char** argv);
 

@@ -124,6 +124,24 @@ expect_state "nothing is started" 99.1 todo
 [ "$(cd / && "$copy/course" list)" = "$(./course list)" ] || fail "it works from any directory"
 cp $exercise "$COURSE_BUILD/scratch/tiny.start"
 
+# A column that the program makes is as complete as one that a person has made.
+expect "a chapter is made by a command" 0 "wrote chapters/97_fresh/fresh.cpp" ./course new 97_fresh
+expect "once" 2 "the number 97 is taken: there is chapters/97_fresh" ./course new 97_stale
+expect "under a name of its own" 2 "the name 'fresh' is taken" ./course new 96_fresh
+expect "its exercise is what its solution generates" 0 "nothing has changed" ./course exercises
+expect "its solution passes" 0 "1 of 1 step" ./course check 97 --solutions
+expect "its exercise is not started" 1 "write step 97.1 in chapters/97_fresh/fresh.cpp" ./course check 97
+expect_state "its exercise is not started" 97.1 todo
+for file in tests/97_fresh/mistakes/*; do
+    mistake=mistake_$(basename "$file" .mistake)
+    cmake --build build --target "$mistake" >/dev/null
+    expect "its mistakes are caught" 1 "halfway between 1 and 4" "build/bin/$mistake"
+done
+for number in 1 2; do
+    cmake --build build --target variants_97_$number >/dev/null
+    expect "its variants pass" 0 "2 passed" build/bin/variants_97_$number
+done
+
 # ------------------------------------------------------------------------------------ a student's day
 
 set_step() { sed -i "s|return todo(\"$1\");|$2|" $exercise; }
