@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# The compiler's launcher in a scratch copy of the repository: where the repository's build has made an object by the
+# same command from the same files, it is taken over, and else compiled. copy.sh sets the variables:
+#   LENDER, LENDER_BUILD   the repository and its build directory
+#   BORROWER               the copy, whose build directory is `build`
+#   LENT                   the commands of the repository's build, and the files that each object depends on
+#   BORROW_ELSE            the launcher that was in use before, if any
+set -u
+
+compile() { exec ${BORROW_ELSE:+"$BORROW_ELSE"} "$@"; }
+
+# The command as the lender would give it, without what only ninja wants.
+command="" output="" listing=""
+words=("$@")
+for ((i = 0; i < $#; ++i)); do
+    case ${words[i]} in
+        -MD) continue ;;
+        -MT) i=$((i + 1)); continue ;;
+        -MF) i=$((i + 1)); listing=${words[i]}; continue ;;
+        -o) output=${words[i + 1]} ;;
+    esac
+    command+="${command:+ }${words[i]}"
+done
+command=${command//"$BORROWER/build"/$LENDER_BUILD}
+command=${command//"$BORROWER"/$LENDER}
+object=$LENDER_BUILD/$output
+if [ -z "$output" ] || [ -z "$listing" ] || [ ! -f "$object" ]; then compile "$@"; fi
+grep -qxF -- "$command" "$LENT/commands" || compile "$@"
+
+# The files that it depends on are older than the object, and the same in the copy.
+is_same() {  # is_same LENT OURS
+    case $1 in
+        *.gch) ;;  # made of files that are named here, too
+        "$LENDER_BUILD"/*)  # made by CMake, with names of directories in it
+            local ours
+            ours=$(<"$2") || return 1
+            [ "${ours//"$BORROWER"/$LENDER}" = "$(<"$1")" ] ;;
+        *) [ -e "$2" ] && ! [ "$1" -nt "$2" ] && ! [ "$2" -nt "$1" ] && ! [ "$1" -nt "$object" ] ;;
+    esac
+}
+made_of="$output:"
+while IFS= read -r file; do
+    case $file in
+        "$LENDER_BUILD"/*) ours=$BORROWER/build${file#"$LENDER_BUILD"} ;;
+        *) ours=$BORROWER${file#"$LENDER"} ;;
+    esac
+    is_same "$file" "$ours" || compile "$@"
+    ours=${ours//'$'/'$$'}
+    made_of+=" ${ours// /\\ }"
+done < <(awk -v object="$output:" 'index($0, object) == 1 { on = 1; next } /^[^ ]/ { on = 0 } on && /^ / { print substr($0, 5) }' "$LENT/files")
+[ "$made_of" != "$output:" ] || compile "$@"
+
+cp "$object" "$output" && printf '%s\n' "$made_of" >"$listing"
