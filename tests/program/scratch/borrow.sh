@@ -8,6 +8,7 @@
 set -u
 
 compile() { exec ${BORROW_ELSE:+"$BORROW_ELSE"} "$@"; }
+[ -n "${LENDER:-}" ] || compile "$@"
 
 # The command as the lender would give it, without what only ninja wants.
 command="" output="" listing=""
@@ -31,9 +32,9 @@ grep -qxF -- "$command" "$LENT/commands" || compile "$@"
 is_same() {  # is_same LENT OURS
     case $1 in
         *.gch) ;;  # made of files that are named here, too
-        "$LENDER_BUILD"/*)  # made by CMake, with names of directories in it
+        "$LENDER_BUILD"/*)  # made by CMake, with names of directories in it, and contracts that only a copy has
             local ours
-            ours=$(<"$2") || return 1
+            ours=$(grep -v '^#include "chapters/9' "$2") || return 1
             [ "${ours//"$BORROWER"/$LENDER}" = "$(<"$1")" ] ;;
         *) [ -e "$2" ] && ! [ "$1" -nt "$2" ] && ! [ "$2" -nt "$1" ] && ! [ "$1" -nt "$object" ] ;;
     esac
