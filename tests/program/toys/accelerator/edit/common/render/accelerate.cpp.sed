@@ -1,0 +1,3 @@
+/^            case AcceleratorChoice::None:/i\
+            case AcceleratorChoice::Boxes:\
+                return Boxes{boxed.bounds};

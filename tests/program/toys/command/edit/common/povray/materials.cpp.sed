@@ -1,0 +1,1 @@
+s/m\.ambient + m\.emission/m.brightness * (m.ambient + m.emission)/

@@ -1,0 +1,7 @@
+s/^enum class Integrator {.*Uv/&, Silhouette/
+/^inline constexpr IntegratorRow integrators\[\] = {/,/^};/s/^};/    {.value = Integrator::Silhouette,\
+     .name = "silhouette",\
+     .meaning = "white where anything is",\
+     .chapter = "01",\
+     .why_not_povray = "it has no silhouettes"},\
+&/

@@ -1,0 +1,13 @@
+/^\/\/ Plane ---/i\
+// Ball\
+\
+std::string beginning(const Scene\&, const Ball\& ball) {\
+    return fmt::format("sphere {{ {}, {}", triple(ball.middle), number(ball.half_width));\
+}\
+\
+Box box_of(const Scene\& scene, const Ball\& ball, const Mat4\& m) {\
+    return box_of(scene, Sphere{ball.middle, ball.half_width}, m);\
+}\
+\
+void scale(Scene\&, Ball\& ball, Real factor) { ball.middle *= factor, ball.half_width *= factor; }\
+
