@@ -246,8 +246,8 @@ std::vector<ReportPlot> report_plots(const ReportData& data) {
 
 void draw(const ReportPlot& plot, const fs::path& directory) {
     write_file(directory / (plot.name + ".gp"), plot.script);
-    const ProcessResult result =
-        run_process({"gnuplot", "-e", "cd " + in_quotes(fs::absolute(directory).string()), plot.name + ".gp"});
+    const ProcessResult result = run_process(
+        {"gnuplot", "-e", "cd " + in_quotes(fs::absolute(directory).string()), plot.name + ".gp"});
     const fs::path drawn = directory / (plot.name + ".svg");
     if (!succeeded(result) || !fs::exists(drawn))
         throw std::runtime_error(fmt::format("gnuplot could not draw {}.gp:\n{}", plot.name, result.output));

@@ -51,8 +51,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_new_name(std::string_view name) {
     if (!is_chapter_name(name) || name.starts_with("00")) return false;
     const std::string_view words = name.substr(3);
-    return is_small(words.front()) && words.back() != '_' &&
-           words.find("__") == std::string_view::npos &&
+    return is_small(words.front()) && words.back() != '_' && words.find("__") == std::string_view::npos &&
            std::ranges::all_of(words, [](char c) { return is_small(c) || is_digit(c) || c == '_'; });
 }
 

@@ -64,7 +64,7 @@ TEST_CASE("a report is read as far as it was written") {
 TEST_CASE("a step has failed if any of its tests has") {
     const StepResult result =
         result_of("02.1", {run(State::Passed, {"02.1"}), run(State::Todo, {"02.1"}, "02.1"),
-                       run(State::Failed, {"02.1", "02.2"}), run(State::Passed, {"02.2"})});
+                           run(State::Failed, {"02.1", "02.2"}), run(State::Passed, {"02.2"})});
     CHECK(result.state == State::Failed);
     CHECK(result.message == "a test\na.cpp:1: CHECK( x )");
 }
@@ -74,7 +74,8 @@ TEST_CASE("a plain test speaks before a family of extreme cases, whichever faile
     family.name = "a family";
     CHECK(result_of("02.1", {family, plain}).message == "a test\na.cpp:1: CHECK( x )");
     CHECK(result_of("02.1", {plain, family}).message == "a test\na.cpp:1: CHECK( x )");
-    CHECK(result_of("02.1", {family, run(State::Passed, {"02.1"})}).message == "a family\na.cpp:1: CHECK( x )");
+    CHECK(result_of("02.1", {family, run(State::Passed, {"02.1"})}).message ==
+          "a family\na.cpp:1: CHECK( x )");
 }
 
 TEST_CASE("a step is todo while a function that its tests need is not started") {
@@ -86,7 +87,8 @@ TEST_CASE("a step is todo while a function that its tests need is not started") 
 }
 
 TEST_CASE("a step passes when all its tests do, and there are some") {
-    CHECK(result_of("02.1", {run(State::Passed, {"02.1"}), run(State::Failed, {"02.2"})}).state == State::Passed);
+    CHECK(result_of("02.1", {run(State::Passed, {"02.1"}), run(State::Failed, {"02.2"})}).state ==
+          State::Passed);
     CHECK(result_of("02.3", {run(State::Passed, {"02.1"})}).state == State::Failed);
     CHECK(result_of("02.3", {}).message == "no test has the tag [02.3]");
 }
