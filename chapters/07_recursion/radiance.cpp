@@ -81,9 +81,9 @@ Vec3 radiance(const World& world, const Ray& ray) {
     // 07.6  Keep the rays still to be traced on a stack (a std::vector), at first the camera ray.
     // While there are any: take the last one off. If world.needs.absorption, multiply its weight by what the
     // medium leaves of the light on the way to the hit (`left_after` above; the way is infinite where nothing
-    // is hit). Where it hits nothing, add weight · background. Else add weight · local_light, and push
-    // what `scatter` returns, the last branch first, so that the reflected ray is traced next. Count each
-    // pushed ray in ray_counts().reflection or .refraction.
+    // is hit). Where it hits nothing, add weight · background(world, direction of the ray). Else add weight ·
+    // local_light, and push what `scatter` returns, the last branch first, so that the reflected ray is
+    // traced next. Count each pushed ray in ray_counts().reflection or .refraction.
     return todo("07.6");
 }
 

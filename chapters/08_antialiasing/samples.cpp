@@ -1,8 +1,6 @@
 // Where the samples of a pixel lie, and the colour that they make.
 #include "chapters/08_antialiasing/samples.hpp"
 
-#include "chapters/01_ray_casting/camera.hpp"
-
 #include "common/math/todo.hpp"
 
 #include <algorithm>
@@ -30,9 +28,12 @@ std::vector<PixelSample> regular_samples(int count) {
     return todo("08.1");
 }
 
-Vec3 sample_pixel(const World& world, int x, int y, std::span<const PixelSample> samples, RayColor color) {
-    // 08.1  For each sample ask pixel_ray for the ray through the point (x + at.x, y + at.y) of the
-    // picture, and `color` for the colour along it. Return the sum of weight · colour.
+Vec3 sample_pixel(const World& world, int x, int y, std::span<const PixelSample> samples, RayColor color,
+                  Stream stream) {
+    // 08.1  For each sample ask camera_ray for the ray through the point (x + at.x, y + at.y) of
+    // the picture, and `color` for the colour along it. Return the sum of weight · colour. Both are handed
+    // the sample's own random numbers, and change them: a copy of `stream`, whose number `sample` is then one
+    // higher for the next.
     return todo("08.1");
 }
 

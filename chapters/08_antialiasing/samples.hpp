@@ -30,8 +30,10 @@ std::vector<Stratum> strata(int count);
 std::vector<PixelSample> regular_samples(int count);
 
 /// [08.1] Colour of the pixel (x, y) of the picture: the weighted mean of `color` of the rays through its
-/// samples. The picture's point (x + at.x, y + at.y) belongs to the sample at `at`.
-Vec3 sample_pixel(const World& world, int x, int y, std::span<const PixelSample> samples, RayColor color);
+/// samples. The picture's point (x + at.x, y + at.y) belongs to the sample at `at`. `stream` is the first
+/// sample's; of sample i the number `sample` is i higher. The camera asks it first, then `color`.
+Vec3 sample_pixel(const World& world, int x, int y, std::span<const PixelSample> samples, RayColor color,
+                  Stream stream);
 
 /// `count` samples of equal weight, uniform and independent of each other. Given.
 std::vector<PixelSample> random_samples(int count, Random random);

@@ -1,6 +1,7 @@
 // What can be asked for on the command line, with help and examples.
 #include "common/commands/command_line.hpp"
 
+#include "common/scene/integrators.hpp"
 #include "common/scene/parse.hpp"
 #include "common/scene/text.hpp"
 
@@ -109,8 +110,9 @@ void add_render(CommandLine& line) {
     sub->add_option("--size", line.render.size, "width and height in pixels, such as 640x480");
     sub->add_option("--threads", line.render.threads, "number of threads; default: one a core")
         ->transform(whole_number(1, 1024));
-    sub->add_option("--integrator", line.render.integrator,
-                    "raytrace, flat, directions, normals, uv or rasterize instead of what the scene says");
+    sub->add_option(
+        "--integrator", line.render.integrator,
+        fmt::format("{}: one of these instead of the scene's", fmt::join(integrator_names(), ", ")));
     CLI::Option* samples =
         sub->add_option("--spp", line.render.samples, "samples a pixel, instead of the scene's")
             ->transform(whole_number(1, most_samples));

@@ -20,7 +20,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <limits>
@@ -32,22 +31,14 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Integrator>, 6> integrators{{
-    {"raytrace", Integrator::Raytrace},
-    {"flat", Integrator::Flat},
-    {"directions", Integrator::Directions},
-    {"normals", Integrator::Normals},
-    {"uv", Integrator::Uv},
-    {"rasterize", Integrator::Rasterize},
-}};
-
-Integrator integrator_named(const std::string& name) {
-    std::vector<std::string_view> names;
-    for (const auto& [known, integrator] : integrators) {
-        if (known == name) return integrator;
-        names.push_back(known);
-    }
-    throw InputError(fmt::format("--integrator: there is no '{}'{}", name, did_you_mean(name, names)));
+/// A picture by another integrator than the scene's: by rays, unless the word says otherwise.
+void set_integrator(Scene& scene, const std::string& name) {
+    const std::optional<IntegratorChoice> chosen = integrator_named(name);
+    if (!chosen)
+        throw InputError(
+            fmt::format("--integrator: there is no '{}'{}", name, did_you_mean(name, integrator_names())));
+    scene.integrator = chosen->integrator;
+    scene.visibility = chosen->visibility;
 }
 
 /// The width and height in "640x480".
@@ -113,10 +104,10 @@ std::string sampling_of(const RenderResult& result) {
 /// What the command line says instead of the scene.
 void change(Scene& scene, const RenderCommand& command) {
     if (!command.size.empty()) std::tie(scene.width, scene.height) = size_from(command.size);
-    if (!command.integrator.empty()) scene.integrator = integrator_named(command.integrator);
+    if (!command.integrator.empty()) set_integrator(scene, command.integrator);
     if (command.samples) scene.sampling.count = *command.samples;
     if (command.seed) scene.sampling.seed = *command.seed;
-    if (scene.integrator == Integrator::Rasterize && (command.seconds || command.error))
+    if (scene.visibility == Visibility::Rasterize && (command.seconds || command.error))
         throw InputError("--seconds and --error: scan conversion takes one sample a pixel, and is done then");
 }
 

@@ -3,6 +3,7 @@
 
 #include "common/image/file.hpp"
 #include "common/math/random.hpp"
+#include "common/scene/integrators.hpp"
 
 #include <fmt/format.h>
 
@@ -65,7 +66,10 @@ void write_picture(Author& a) {
     a.line("camera {} {} {} {:.4g}", triple(a.unit * eye), triple(a.unit * to),
            triple(in_box(a, Vec3(-0.4, 1, -0.4), Vec3(0.4, 2, 0.4))), a.uniform(25, 60));
     if (a.chance(0.2)) a.line("orthographic {:.5g}", a.unit * a.uniform(2, 5));
-    if (a.integrator != "raytrace" || a.chance(0.3)) a.line("integrator {}", a.integrator);
+    if (a.integrator == rasterize_word && a.random.key % 2 == 0)
+        a.line("integrator {}\nvisibility rasterize", a.random.key % 4 == 0 ? "normals" : "flat");
+    else if (a.integrator != "raytrace" || a.chance(0.3))
+        a.line("integrator {}", a.integrator);
     a.line("background {}", color(a, a.dim ? 0.3 : 0.8));
     if (a.chance(0.15)) a.line("shadows {}", a.one_of({"on", "off", "off"}));
     if (a.chance(0.7)) {
@@ -207,7 +211,7 @@ void write_mesh(Author& a) {
 }
 
 void write_object(Author& a) {
-    const bool triangles_only = a.integrator == "rasterize";
+    const bool triangles_only = a.integrator == rasterize_word;
     const int kind = triangles_only ? a.whole(6, 9) : a.whole(0, 9);
     // Single faces have no inside, so no glass.
     write_material(a, kind >= 5 && kind < 8 ? 0 : 0.35);
@@ -238,14 +242,17 @@ void write_plane(Author& a) {
 std::string random_scene(std::uint64_t number) {
     Author a{random_for(number, 0, 0)};
     a.line("# random scene {}", number);
-    if (a.chance(0.3)) a.integrator = a.one_of({"flat", "directions", "normals", "uv", "rasterize"});
+    if (a.chance(0.3)) {
+        const std::vector<std::string_view> names = integrator_names();  // the first is the default
+        a.integrator = names[1 + random_index(a.random, names.size() - 1)];
+    }
     a.dim = a.chance(0.25);
     if (a.chance(0.15)) a.unit = std::pow(10, a.whole(-9, 9));
     write_picture(a);
     write_sampling(a);
     write_lights(a);
     if (a.chance(0.1)) a.line("maxverts 100\nmaxvertnorms 100");
-    if (a.integrator != "rasterize" && a.chance(0.7)) write_plane(a);
+    if (a.integrator != rasterize_word && a.chance(0.7)) write_plane(a);
     const int count = a.whole(1, 6);
     for (int i = 0; i < count; ++i) write_object(a);
     return a.text;

@@ -1,23 +1,12 @@
 // Random numbers that are a function of where they are used: pixel, sample, dimension and seed.
 #pragma once
 
+#include "common/math/mixed.hpp"
 #include "common/math/vec.hpp"
 
 #include <cstdint>
 
 namespace rt {
-
-/// All 64 bits of `state` stirred into one another: the finalizer of splitmix64 (Steele, Lea & Flood 2014).
-constexpr std::uint64_t stirred(std::uint64_t state) {
-    state = (state ^ (state >> 30)) * 0xbf58476d1ce4e5b9u;
-    state = (state ^ (state >> 27)) * 0x94d049bb133111ebu;
-    return state ^ (state >> 31);
-}
-
-/// `state` with one more value mixed in.
-constexpr std::uint64_t mixed(std::uint64_t state, std::uint64_t value) {
-    return stirred(state + value + 0x9e3779b97f4a7c15u);
-}
 
 /// A sequence of random numbers. It is a plain value: two equal ones go on with the same numbers, and the
 /// numbers depend on nothing else, neither on the thread nor on the time. Functions that need random numbers
@@ -36,7 +25,7 @@ constexpr Random random_for(std::uint64_t seed, std::uint64_t pixel, std::uint64
 constexpr std::uint64_t random_bits(Random& random) { return mixed(random.key, ++random.dimension); }
 
 /// Uniform in [0, 1): one of the multiples of 2^-53.
-constexpr Real random_real(Random& random) { return static_cast<Real>(random_bits(random) >> 11) * 0x1p-53; }
+constexpr Real random_real(Random& random) { return real_of(random_bits(random)); }
 
 /// A point of the unit square [0, 1)², uniform.
 constexpr Vec2 random_point(Random& random) {

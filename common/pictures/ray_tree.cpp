@@ -4,7 +4,7 @@
 #include "chapters/01_ray_casting/camera.hpp"
 #include "common/math/input_error.hpp"
 #include "common/render/compile.hpp"
-#include "common/render/shade.hpp"
+#include "common/render/integrators.hpp"
 #include "common/render/trace.hpp"
 #include "common/world/shapes.hpp"
 
@@ -99,7 +99,7 @@ ordered_json ray_tree(const Scene& scene, int x, int y) {
     return {{"scene", scene.file},
             {"x", x},
             {"y", y},
-            {"color", to_json(color_function(world)(world, ray))},
+            {"color", to_json(color_along(world, ray))},
             {"tree_color", to_json(color)},
             {"complete", complete},
             {"rays", rays}};

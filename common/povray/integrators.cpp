@@ -101,7 +101,6 @@ constexpr Expression expressions[] = {
     {Integrator::Flat, scene_background, write_nothing, write_flat_materials, flat_object},
     {Integrator::Directions, direction_background, write_inward_lights, write_direction_sphere, nullptr},
     {Integrator::Normals, scene_background, write_outward_lights, write_normal_texture, normal_object},
-    {Integrator::Rasterize, scene_background, write_outward_lights, write_normal_texture, normal_object},
     {Integrator::Uv, scene_background, write_nothing, write_uv_textures, uv_object},
 };
 
@@ -109,7 +108,7 @@ constexpr Expression expressions[] = {
 
 const Expression& expression_of(const Scene& scene) {
     const auto found = std::ranges::find(expressions, scene.integrator, &Expression::integrator);
-    if (found == std::end(expressions)) refuse(scene, "it has nothing like the scene's integrator");
+    if (found == std::end(expressions)) refuse(scene, row_of(scene.integrator).why_not_povray);
     return *found;
 }
 

@@ -14,7 +14,7 @@ struct Expression {
     std::string (*object)(const Scene&, const Object&);  ///< its statement; null where none is shown
 };
 
-/// Refuses the scene where its integrator has no row.
+/// Refuses the scene where its integrator has no row here; common/scene/integrators.hpp says why not.
 const Expression& expression_of(const Scene& scene);
 
 }  // namespace rt::povray

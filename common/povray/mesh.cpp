@@ -68,7 +68,7 @@ bool is_around_eye(const Scene& scene, std::size_t mesh) {
 
 void write_mesh(Writer& out, std::size_t index) {
     const Mesh& mesh = out.scene.meshes[index];
-    const bool uv = out.scene.integrator == Integrator::Uv;
+    const bool uv = row_of(out.scene.integrator).uvs;
     std::vector<Vec3> normals = mesh.normals;
     std::vector<Vec2> uvs = mesh.uvs;
     Indices normal_indices, uv_indices;

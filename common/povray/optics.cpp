@@ -5,9 +5,7 @@
 
 namespace rt::povray {
 
-bool may_bounce(const Scene& scene) {
-    return scene.integrator == Integrator::Raytrace && scene.max_depth > 0;
-}
+bool may_bounce(const Scene& scene) { return row_of(scene.integrator).tree && scene.max_depth > 0; }
 
 bool has_bounces(const Scene& scene) {
     return may_bounce(scene) && std::ranges::any_of(scene.objects, [&](const Object& object) {
@@ -17,7 +15,7 @@ bool has_bounces(const Scene& scene) {
 }
 
 bool is_glass(const Scene& scene, const Object& object) {
-    return scene.integrator == Integrator::Raytrace && is_transparent(material_of(scene, object));
+    return row_of(scene.integrator).tree && is_transparent(material_of(scene, object));
 }
 
 bool absorbs(const Scene& scene) {

@@ -20,7 +20,7 @@ PovrayRun povray_run(const Scene& scene) {
     const Sampling& sampling = scene.sampling;
     const bool box = sampling.filter.kind == FilterKind::Box && sampling.filter.radius == 0.5;
     const int count = sampling.count;
-    if (scene.integrator == Integrator::Rasterize) return {};
+    if (scene.visibility == Visibility::Rasterize) return {};
     if (count == 1) return {1, {}, !box, true};
     switch (sampling.sampler) {
         case Sampler::Regular:

@@ -45,7 +45,7 @@ Lengths lengths_of(const Scene& scene) {
         const Real least = least_length_of(scene, object, m);
         if (least > 0) lengths.least = std::min(lengths.least, least);
     }
-    if (scene.integrator == Integrator::Raytrace)
+    if (row_of(scene.integrator).lights)
         for (const Light& light : scene.lights)
             if (const auto* point = std::get_if<PointLight>(&light))
                 lengths.lights = std::max(lengths.lights, glm::length(point->position - scene.camera.eye));
@@ -105,8 +105,8 @@ void size_shape(Scene& scene, Object& object) {
 }  // namespace
 
 Real factor_for(const Scene& scene) {
-    // A picture of directions looks at nothing.
-    if (scene.integrator == Integrator::Directions) {
+    // Then only the eye has a place.
+    if (!row_of(scene.integrator).objects) {
         const Real far = glm::length(scene.camera.eye);
         return far > greatest_length ? factor_for(far) : 1;
     }

@@ -74,7 +74,7 @@ bool is_endless(const Scene&, const Plane&) { return true; }
 
 /// Only meshes have texture coordinates in POV-Ray, so for those a triangle becomes a mesh of one.
 std::string beginning(const Scene& scene, const TriangleObject& triangle) {
-    const bool uv = scene.integrator == Integrator::Uv;
+    const bool uv = row_of(scene.integrator).uvs;
     std::string text = fmt::format("{}{}triangle {{ ", uv ? "mesh { " : "", triangle.smooth ? "smooth_" : "");
     for (std::size_t i = 0; i < 3; ++i) {
         if (i > 0) text += ", ";

@@ -273,7 +273,7 @@ Real expected_rays(const Scene& scene, const World& world) {
 }
 
 void add_accelerators(const Scene& scene, World& world) {
-    if (scene.accelerator == AcceleratorChoice::None || scene.integrator == Integrator::Rasterize) return;
+    if (scene.accelerator == AcceleratorChoice::None || scene.visibility == Visibility::Rasterize) return;
     const Needs& needs = world.needs;
     const Real paths = static_cast<Real>(scene.width) * scene.height * scene.sampling.count *
                        (needs.reflection || needs.refraction ? 3 : 1);

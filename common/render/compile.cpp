@@ -36,7 +36,7 @@ View view_of(const Scene& scene) {
 
 void compile_materials(const Scene& scene, World& world) {
     world.materials = scene.materials;
-    if (scene.integrator != Integrator::Raytrace && scene.integrator != Integrator::Flat) return;
+    if (!row_of(scene.integrator).materials) return;
     world.patterns.resize(scene.materials.size());
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         const Checker& checker = scene.materials[i].checker;
@@ -70,34 +70,33 @@ void derive_needs(const Scene& scene, World& world) {
     const auto any = [&](auto has) {
         return std::any_of(world.materials.begin(), world.materials.end(), has);
     };
-    const bool raytrace = scene.integrator == Integrator::Raytrace;
-    if (raytrace) {
+    const IntegratorRow& integrator = row_of(scene.integrator);
+    if (integrator.lights) {
         compile_lights(scene, world);
         needs.lights = !world.point_lights.empty() || !world.directional_lights.empty();
         needs.highlights = needs.lights && any([](const Material& m) { return !is_zero(m.specular); });
         needs.shadows = needs.lights && scene.shadows;
-        const bool bounces = scene.max_depth > 0;
-        needs.refraction = bounces && any([](const Material& m) { return !is_zero(m.transmission); });
-        needs.reflection = bounces && any([](const Material& m) {
-                               // Glass mirrors by Fresnel's law, and where its reflection is total.
-                               const bool glass = !is_zero(m.transmission) && m.ior != 1;
-                               return !is_zero(m.specular) || glass;
-                           });
-        needs.absorption = needs.refraction && any([](const Material& m) { return !is_zero(m.absorption); });
         needs.colored_shadows =
             needs.shadows && any([](const Material& m) { return !is_zero(m.transmission); });
     }
-    const bool shows_normals =
-        scene.integrator == Integrator::Normals || scene.integrator == Integrator::Rasterize;
+    if (integrator.tree && scene.max_depth > 0) {
+        needs.refraction = any([](const Material& m) { return !is_zero(m.transmission); });
+        needs.reflection = any([](const Material& m) {
+            // Glass mirrors by Fresnel's law, and where its reflection is total.
+            const bool glass = !is_zero(m.transmission) && m.ior != 1;
+            return !is_zero(m.specular) || glass;
+        });
+        needs.absorption = needs.refraction && any([](const Material& m) { return !is_zero(m.absorption); });
+    }
     const auto is_smooth = [&](const Object& object) {
         if (const auto* t = std::get_if<TriangleObject>(&object.shape)) return t->smooth;
         if (const auto* m = std::get_if<MeshObject>(&object.shape))
             return !scene.meshes[m->mesh].normals.empty();
         return false;
     };
-    needs.normals = (shows_normals || needs.lights || needs.reflection || needs.refraction) &&
+    needs.normals = (integrator.normals || needs.lights || needs.reflection || needs.refraction) &&
                     std::any_of(scene.objects.begin(), scene.objects.end(), is_smooth);
-    needs.uvs = scene.integrator == Integrator::Uv;
+    needs.uvs = integrator.uvs;
 }
 
 /// Refuses what could make light so strong that its number ends. A factor above 1 may be met once a bounce,
@@ -128,6 +127,19 @@ void check_growth(const Scene& scene, const World& world) {
     }
 }
 
+/// Refuses what scan conversion cannot draw.
+void check_rasterized(const Scene& scene) {
+    if (const IntegratorRow& row = row_of(scene.integrator); !row.hit_alone)
+        refuse(scene, scene.visibility_place,
+               fmt::format("scan conversion finds what each pixel sees and nothing else: enough for "
+                           "the integrators {}, but not for {}",
+                           integrators_with(&IntegratorRow::hit_alone), row.name));
+    for (const Object& object : scene.objects)
+        if (!std::holds_alternative<TriangleObject>(object.shape) &&
+            !std::holds_alternative<MeshObject>(object.shape))
+            refuse(scene, object.place, "scan conversion draws triangles only");
+}
+
 }  // namespace
 
 World compile(const Scene& scene) {
@@ -135,6 +147,7 @@ World compile(const Scene& scene) {
     world.view = view_of(scene);
     world.background = scene.background;
     world.integrator = scene.integrator;
+    world.visibility = scene.visibility;
     world.max_depth = scene.max_depth;
     world.min_contribution = scene.min_contribution;
     world.sampling = scene.sampling;
@@ -142,17 +155,12 @@ World compile(const Scene& scene) {
     const bool own_samples = filter.kind == FilterKind::Box && filter.radius == 0.5;
     // Scan conversion finds what is at the pixels' centres.
     world.needs.samples =
-        scene.integrator != Integrator::Rasterize && (scene.sampling.count > 1 || !own_samples);
-    // A picture of ray directions looks at no object at all.
-    if (scene.integrator == Integrator::Directions) return world;
+        scene.visibility != Visibility::Rasterize && (scene.sampling.count > 1 || !own_samples);
+    if (scene.visibility == Visibility::Rasterize) check_rasterized(scene);
+    if (!row_of(scene.integrator).objects) return world;
     compile_materials(scene, world);
     derive_needs(scene, world);
     add_primitives(scene, world);
-    if (scene.integrator == Integrator::Rasterize)
-        for (const Object& object : scene.objects)
-            if (!std::holds_alternative<TriangleObject>(object.shape) &&
-                !std::holds_alternative<MeshObject>(object.shape))
-                refuse(scene, object.place, "scan conversion draws triangles only");
     check_growth(scene, world);
     add_accelerators(scene, world);
     if (world.needs.refraction) world.eye_inside = objects_around_eye(world);

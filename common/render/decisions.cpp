@@ -1,7 +1,6 @@
 // The discrete decisions behind each pixel: where two ray tracers may rightly differ.
 #include "common/render/decisions.hpp"
 
-#include "chapters/01_ray_casting/camera.hpp"
 #include "common/math/random.hpp"
 
 #include <tbb/parallel_for.h>
@@ -16,7 +15,7 @@ void mix(std::uint64_t& hash, std::uint64_t value) { hash = mixed(hash, value); 
 /// The decision that is the same all over the pixel; if there is none, one that no other pixel has.
 std::uint64_t decision_of_pixel(const World& world, int x, int y) {
     const auto decided_at = [&](const Vec2& at) {
-        return decision(world, trace_tree(world, pixel_ray(world.view, x + at.x, y + at.y)));
+        return decision(world, trace_tree(world, camera_ray(world, CameraSample{{x + at.x, y + at.y}})));
     };
     const std::uint64_t middle = decided_at(Vec2(0.5));
     if (!world.needs.samples) return middle;
@@ -51,7 +50,7 @@ std::vector<std::uint64_t> decisions(const World& world) {
     const View& view = world.view;
     std::vector<std::uint64_t> result(static_cast<std::size_t>(view.width) *
                                       static_cast<std::size_t>(view.height));
-    if (world.integrator == Integrator::Directions) return result;
+    if (!row_of(world.integrator).objects) return result;
     tbb::parallel_for(0, view.height, [&](int y) {
         for (int x = 0; x < view.width; ++x)
             result[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) +

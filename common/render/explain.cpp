@@ -79,7 +79,7 @@ void explain_accelerator(const Scene& scene, const World& world, const Group<Sha
 
 std::string why_no_accelerator(const Scene& scene, const World& world) {
     if (scene.accelerator == AcceleratorChoice::None) return "the scene says 'accelerator none'";
-    if (scene.integrator == Integrator::Rasterize) return "scan conversion traces no rays";
+    if (scene.visibility == Visibility::Rasterize) return "scan conversion traces no rays";
     std::size_t most = 0;
     for (const AnyGroup& any : world.groups)
         std::visit(
@@ -113,9 +113,8 @@ void explain_lights(const Scene& scene, const World& world, Explanation& explana
     const std::size_t kept = world.point_lights.size() + world.directional_lights.size();
     if (kept > 0) explanation.kept.push_back({counted(kept, "light", "lights"), "they reach some material"});
     if (kept == scene.lights.size()) return;
-    const bool raytrace = scene.integrator == Integrator::Raytrace;
     explanation.left_out.push_back({counted(scene.lights.size() - kept, "light", "lights"),
-                                    !raytrace   ? "the integrator asks no lights"
+                                    !row_of(scene.integrator).lights ? "the integrator asks no lights"
                                     : kept == 0 ? "no material reflects light, or all lights are black"
                                                 : "black"});
 }
@@ -149,14 +148,14 @@ void explain_features(const Scene& scene, const World& world, Explanation& expla
             {fmt::format("{} samples a pixel", world.sampling.count),
              world.sampling.count > 1 ? "the scene says 'spp'" : "its filter is wider than a pixel"});
     else
-        explanation.left_out.push_back({"random numbers", world.integrator == Integrator::Rasterize
+        explanation.left_out.push_back({"random numbers", world.visibility == Visibility::Rasterize
                                                               ? "scan conversion looks at the pixels' centres"
                                                               : "one sample a pixel, at its centre"});
     if (!needs.accelerators) explanation.left_out.push_back({"grids", why_no_accelerator(scene, world)});
 }
 
 std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
-    std::vector<std::string> chapters{"01"};
+    std::vector<std::string> chapters{"01", std::string(row_of(scene.integrator).chapter)};
     for (const AnyGroup& any : world.groups)
         std::visit(
             [&]<class Shape>(const Group<Shape>&) {

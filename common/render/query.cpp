@@ -1,6 +1,7 @@
 // The questions of common/world/query.hpp, answered by dispatch over the shapes that occur.
 #include "common/world/query.hpp"
 
+#include "chapters/01_ray_casting/camera.hpp"
 #include "common/render/groups.hpp"
 #include "common/render/lights.hpp"
 
@@ -129,6 +130,16 @@ const Material* material_around(const World& world, std::span<const Medium> insi
 Vec3 local_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
                  const Vec3& to_viewer) {
     return sum_of_lights(world, surface, material, normal, to_viewer);
+}
+
+Ray camera_ray(const World& world, const CameraSample& sample) {
+    Ray ray = pixel_ray(world.view, sample.place.x, sample.place.y);
+    ray.time = sample.time;
+    return ray;
+}
+
+Ray camera_ray(const World& world, const Vec2& place, Stream&) {
+    return camera_ray(world, CameraSample{.place = place});
 }
 
 RayCounts& ray_counts() {

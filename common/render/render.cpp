@@ -1,10 +1,9 @@
 // From a compiled world to a picture, on all cores.
 #include "common/render/render.hpp"
 
-#include "chapters/01_ray_casting/camera.hpp"
+#include "common/render/integrators.hpp"
 #include "common/render/sampled.hpp"
 #include "common/render/scan_convert.hpp"
-#include "common/render/shade.hpp"
 #include "common/render/tiles.hpp"
 
 #include <tbb/global_control.h>
@@ -17,23 +16,25 @@
 namespace rt {
 namespace {
 
-/// The chapter's own loop is used where there is something to hit; a picture of directions is asked for
-/// before that loop is written.
+/// The chapter's own loop is used where rays meet things; a picture that shows none, as of directions, is
+/// asked for before that loop is written.
 std::vector<Vec3> colors_of(const World& world, const Tile& tile, RayColor color) {
     ray_counts().camera += static_cast<std::uint64_t>(width(tile) * height(tile));
-    if (world.integrator != Integrator::Directions) return render_tile(world, tile, color);
+    if (row_of(world.integrator).objects) return render_tile(world, tile, color);
     std::vector<Vec3> colors;
     for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1; ++x)
-            colors.push_back(color(world, pixel_ray(world.view, x + 0.5, y + 0.5)));
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            Stream stream = stream_of(world, x, y);
+            colors.push_back(color(world, camera_ray(world, {x + 0.5, y + 0.5}, stream), stream));
+        }
     return colors;
 }
 
-/// One ray through the centre of each pixel; no random numbers.
+/// One ray through the centre of each pixel.
 Image trace_tiles(const World& world, const RenderOptions& options, RayCounts& rays) {
     Image image = make_image(world.view.width, world.view.height);
     const std::vector<Tile> tiles = tiles_of(world.view);
-    const RayColor color = color_function(world);
+    const RayColor color = options.color ? options.color : color_function(world);
     in_parallel(
         tiles.size(), rays,
         [&](std::size_t i) {
@@ -67,7 +68,7 @@ RenderResult render(const World& world, const RenderOptions& options) {
                                       static_cast<std::size_t>(threads));
     tbb::task_arena arena(threads);
     arena.execute([&] {
-        if (world.integrator == Integrator::Rasterize)
+        if (world.visibility == Visibility::Rasterize)
             result.image = rasterize(world);
         else if (world.needs.samples || options.seconds || options.error)
             render_sampled(world, options, result);

@@ -1,8 +1,8 @@
 // From a compiled world to a picture, on all cores.
 #pragma once
 
+#include "chapters/01_ray_casting/raycast.hpp"
 #include "common/image/image.hpp"
-#include "common/world/query.hpp"
 
 #include <functional>
 #include <optional>
@@ -21,6 +21,8 @@ struct RenderOptions {
     std::optional<Real> error{};
     /// Whether a picture of a given number of samples estimates its error, which takes further samples.
     bool estimate = true;
+    /// Colours the rays, if it is not null, instead of the function that suits the world's integrator.
+    RayColor color = nullptr;
 };
 
 struct RenderResult {

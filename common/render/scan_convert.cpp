@@ -4,7 +4,7 @@
 
 #include "chapters/01_ray_casting/camera.hpp"
 #include "common/math/input_error.hpp"
-#include "common/render/shade.hpp"
+#include "common/render/integrators.hpp"
 
 #include <algorithm>
 #include <array>
@@ -189,24 +189,18 @@ std::vector<std::optional<Hit>> scan_convert(const World& world) {
     return canvas.hits();
 }
 
-Image rasterize(const World& world, HitColor color) {
+Image rasterize(const World& world) {
+    const HitColor color = hit_color_function(world);
     const std::vector<std::optional<Hit>> hits = scan_convert(world);
     Image image = make_image(world.view.width, world.view.height);
     std::size_t i = 0;
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x, ++i) {
-            pixel(image, x, y) =
-                hits[i] ? color(world, pixel_ray(world.view, x + 0.5, y + 0.5), *hits[i]) : world.background;
+            const Ray ray = pixel_ray(world.view, x + 0.5, y + 0.5);
+            pixel(image, x, y) = hits[i] ? color(world, ray, *hits[i]) : background(world, ray.direction);
         }
     }
     return image;
-}
-
-Image rasterize(const World& world) {
-    return rasterize(world, [](const World& w, const Ray& ray, const Hit& hit) {
-        const Vec3 n = turned_to_viewer(surface_at(w, ray, hit).shading_normal, ray.direction);
-        return 0.5 * (n + Vec3(1));
-    });
 }
 
 }  // namespace rt

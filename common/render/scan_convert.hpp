@@ -19,13 +19,9 @@ namespace rt {
 /// drawn. Throws InputError for a world with other shapes than triangles and instances of meshes.
 std::vector<std::optional<Hit>> scan_convert(const World& world);
 
-/// Colour of a hit of the ray: linear RGB.
-using HitColor = Vec3 (*)(const World&, const Ray&, const Hit&);
-
-/// The picture by scan conversion: `color` of each pixel's hit, and world.background where there is none.
-Image rasterize(const World& world, HitColor color);
-
-/// The picture of normals by scan conversion: what the integrator `normals` paints, up to rounding.
+/// The picture by scan conversion: what the world's integrator paints of each pixel's hit, up to rounding,
+/// and the background where there is none. Only for integrators whose colour depends on the nearest hit
+/// alone.
 Image rasterize(const World& world);
 
 }  // namespace rt

@@ -2,8 +2,8 @@
 #include "common/render/trace.hpp"
 
 #include "chapters/07_recursion/optics.hpp"
+#include "common/render/integrators.hpp"
 #include "common/render/lights.hpp"
-#include "common/render/shade.hpp"
 
 namespace rt {
 namespace {
@@ -14,10 +14,7 @@ void shade(const World& world, TraceRecord& record) {
     record.normal = turned_to_viewer(record.surface.shading_normal, ray.direction);
     record.material = material_index(world, *record.hit, record.surface);
     const Material& material = world.materials[record.material];
-    if (world.integrator != Integrator::Raytrace) {
-        record.local = color_function(world)(world, ray);
-        return;
-    }
+    if (!row_of(world.integrator).tree) return;
     record.local = material.ambient + material.emission;
     if (!world.needs.lights) return;
     visit_lights(world, record.surface, record.normal, [&](const LightSample& sample, const Vec3& visible) {
@@ -40,8 +37,10 @@ std::vector<TraceRecord> trace_tree(const World& world, const Ray& ray, std::siz
         TraceRecord record = std::move(stack.back());
         stack.pop_back();
         record.weight = record.branch.weight;
-        record.local = world.background;
-        record.hit = closest_hit(world, record.branch.ray, {0, infinity});
+        const Ray& here = record.branch.ray;
+        record.local =
+            row_of(world.integrator).tree ? background(world, here.direction) : color_along(world, here);
+        record.hit = closest_hit(world, here, {0, infinity});
         const int index = static_cast<int>(tree.size());
         const Material* around = material_around(world, record.branch.media);
         if (world.needs.absorption && around)

@@ -4,6 +4,7 @@
 
 #include "common/image/image.hpp"
 #include "common/scene/accelerators.hpp"
+#include "common/scene/integrators.hpp"
 #include "common/scene/sampling.hpp"
 #include "common/scene/shapes.hpp"
 
@@ -31,9 +32,6 @@ struct Camera {
     Real view_height = 2;  ///< height of the picture in world units; orthographic only
     Projection projection = Projection::Perspective;
 };
-
-/// How a scene's rays become colours; see common/scene/README.md.
-enum class Integrator { Raytrace, Flat, Directions, Normals, Uv, Rasterize };
 
 /// A solid checkerboard of cubes in world space: factor on ambient, diffuse and emission.
 struct Checker {
@@ -129,6 +127,8 @@ struct Scene {
     SourcePlace output_place;
     Encoding encoding = Encoding::Linear;
     Integrator integrator = Integrator::Raytrace;
+    Visibility visibility = Visibility::Rays;
+    SourcePlace visibility_place;
     Vec3 background{0};
     Camera camera;
 

@@ -2,6 +2,8 @@
 // occur, because every chapter adds to the answers.
 #pragma once
 
+#include "common/world/ray_counts.hpp"
+#include "common/world/stream.hpp"
 #include "common/world/world.hpp"
 
 #include <optional>
@@ -48,16 +50,21 @@ const Material* material_around(const World& world, std::span<const Medium> insi
 Vec3 local_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
                  const Vec3& to_viewer);
 
-/// How many rays of each kind were traced.
-struct RayCounts {
-    std::uint64_t camera = 0;
-    std::uint64_t shadow = 0;
-    std::uint64_t reflection = 0;
-    std::uint64_t refraction = 0;
-    std::uint64_t random_numbers = 0;  ///< that were drawn for samples
+/// What is seen in a direction, of any length but 0, where nothing is hit.
+inline Vec3 background(const World& world, const Vec3& /*direction*/) { return world.background; }
+
+/// What a camera ray is a function of.
+struct CameraSample {
+    Vec2 place{0};   ///< of the picture, in pixels: as for pixel_ray
+    Vec2 lens{0.5};  ///< of the unit square, mapped to the lens; cameras have none as yet
+    Real time = 0;   ///< in the shutter interval [0, 1]
 };
 
-/// The calling thread's counts so far; whoever starts a ray adds it here.
-RayCounts& ray_counts();
+/// The ray of a sample, in world space; its direction is a unit vector.
+Ray camera_ray(const World& world, const CameraSample& sample);
+
+/// The ray through a place of the picture. What the camera needs besides, point of the lens and time, is
+/// drawn from the stream; as yet nothing.
+Ray camera_ray(const World& world, const Vec2& place, Stream& stream);
 
 }  // namespace rt

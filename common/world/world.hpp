@@ -121,6 +121,7 @@ struct World {
     Sampling sampling;
     Vec3 background{0};
     Integrator integrator = Integrator::Raytrace;
+    Visibility visibility = Visibility::Rays;
     int max_depth = 5;
     Real min_contribution = 0;
     Needs needs;

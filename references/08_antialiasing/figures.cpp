@@ -5,7 +5,7 @@
 #include "chapters/08_antialiasing/film.hpp"
 #include "chapters/08_antialiasing/samples.hpp"
 #include "common/math/stopwatch.hpp"
-#include "common/render/shade.hpp"
+#include "common/render/integrators.hpp"
 #include "tests/stability/coverage.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,6 @@
 // Where the samples of a pixel lie, and the colour that they make.
 #include "chapters/08_antialiasing/samples.hpp"
 
-#include "chapters/01_ray_casting/camera.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -48,12 +46,18 @@ std::vector<PixelSample> regular_samples(int count) {
     // [/exercise]
 }
 
-Vec3 sample_pixel(const World& world, int x, int y, std::span<const PixelSample> samples, RayColor color) {
-    // [exercise 08.1] For each sample ask pixel_ray for the ray through the point (x + at.x, y + at.y) of the
-    // picture, and `color` for the colour along it. Return the sum of weight · colour.
+Vec3 sample_pixel(const World& world, int x, int y, std::span<const PixelSample> samples, RayColor color,
+                  Stream stream) {
+    // [exercise 08.1] For each sample ask camera_ray for the ray through the point (x + at.x, y + at.y) of
+    // the picture, and `color` for the colour along it. Return the sum of weight · colour. Both are handed
+    // the sample's own random numbers, and change them: a copy of `stream`, whose number `sample` is then one
+    // higher for the next.
     Vec3 sum(0);
     for (const PixelSample& sample : samples) {
-        sum += sample.weight * color(world, pixel_ray(world.view, x + sample.at.x, y + sample.at.y));
+        Stream own = stream;
+        const Ray ray = camera_ray(world, {x + sample.at.x, y + sample.at.y}, own);
+        sum += sample.weight * color(world, ray, own);
+        ++stream.sample;
     }
     return sum;
     // [/exercise]

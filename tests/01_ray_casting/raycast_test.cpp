@@ -46,7 +46,9 @@ World with_pixels(World world, int width, int height) {
 /// Positions up to 5 are off by some roundings at most, however a and b are computed.
 constexpr Real bound = 64 * unit_roundoff;
 
-Vec3 origin_as_color(const World&, const Ray& ray) { return ray.origin; }
+Vec3 origin_as_color(const World&, const Ray& ray, Stream&) { return ray.origin; }
+
+Vec3 cast_as_color(const World& world, const Ray& ray, Stream&) { return cast_ray(world, ray); }
 
 }  // namespace
 
@@ -114,7 +116,7 @@ TEST_CASE("tiles side by side make the same picture as one tile", "[01.6]") {
                   height = 1 + static_cast<int>(random.index(20));
         World world = with_pixels(walls(0), width, height);
         world.view.projection = Projection::Perspective;
-        const auto direction = [](const World&, const Ray& ray) { return ray.direction; };
+        const auto direction = [](const World&, const Ray& ray, Stream&) { return ray.direction; };
         const Tile whole{.x0 = 0, .y0 = 0, .x1 = width, .y1 = height};
         const std::vector<Vec3> picture = render_tile(world, whole, direction);
         REQUIRE(picture.size() == static_cast<std::size_t>(width * height));
@@ -136,7 +138,27 @@ TEST_CASE("tiles side by side make the same picture as one tile", "[01.6]") {
 
 TEST_CASE("the loop hands on the world that it was given", "[01.6]") {
     const World world = with_pixels(walls(2), 2, 2);
-    const auto colors = render_tile(world, {.x0 = 0, .y0 = 0, .x1 = 2, .y1 = 2}, cast_ray);
+    const auto colors = render_tile(world, {.x0 = 0, .y0 = 0, .x1 = 2, .y1 = 2}, cast_as_color);
     REQUIRE(colors.size() == 4);
     for (const Vec3& color : colors) CHECK(color == Vec3(0.125, 0.125, 0.375));
+}
+
+TEST_CASE("each pixel has random numbers of its own, the same in any tile", "[01.6]") {
+    const World world = with_pixels(walls(0), 4, 3);
+    const RayColor noise = [](const World&, const Ray&, Stream& stream) {
+        const Vec3 color(stream.x, stream.y, 10 * stream.sample + stream.dimension);
+        next_real(stream);
+        return color;
+    };
+    for (const Tile& tile : {Tile{0, 0, 4, 3}, Tile{1, 2, 4, 3}}) {
+        const std::vector<Vec3> colors = render_tile(world, tile, noise);
+        REQUIRE(colors.size() == static_cast<std::size_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0)));
+        std::size_t next = 0;
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            for (int x = tile.x0; x < tile.x1; ++x) {
+                INFO("pixel (" << x << ", " << y << ")");
+                CHECK(colors[next++] == Vec3(x, y, 0));
+            }
+        }
+    }
 }

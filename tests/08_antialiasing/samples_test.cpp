@@ -32,8 +32,8 @@ World plain_world(int width, int height) {
     return world;
 }
 
-Vec3 color_is_origin(const World&, const Ray& ray) { return ray.origin; }
-Vec3 color_is_one(const World&, const Ray&) { return Vec3(1); }
+Vec3 color_is_origin(const World&, const Ray& ray, Stream&) { return ray.origin; }
+Vec3 color_is_one(const World&, const Ray&, Stream&) { return Vec3(1); }
 
 /// The sum of the weights, which should be 1.
 Real weights(const std::vector<PixelSample>& samples) {
@@ -163,16 +163,31 @@ TEST_CASE("a pixel's colour is the weighted mean over its samples", "[08.1]") {
     const World world = plain_world(8, 6);
     const PixelSample two[2] = {{{0.25, 0.5}, 0.75}, {{0.75, 0.25}, 0.25}};
     // 3/4 of (5.25, 2.5) and 1/4 of (5.75, 2.25).
-    const Vec3 color = sample_pixel(world, 5, 2, two, color_is_origin);
+    const Vec3 color = sample_pixel(world, 5, 2, two, color_is_origin, {});
     INFO("actual " << color.x << " " << color.y);
     CHECK(color == Vec3(5.375, 2.4375, 0));
-    CHECK(sample_pixel(world, 0, 0, std::span(two).first(1), color_is_one) == Vec3(0.75));
+    CHECK(sample_pixel(world, 0, 0, std::span(two).first(1), color_is_one, {}) == Vec3(0.75));
+}
+
+TEST_CASE("each sample has random numbers of its own, whatever the others asked for", "[08.1]") {
+    const World world = plain_world(8, 6);
+    const RayColor color_is_stream = [](const World&, const Ray&, Stream& stream) {
+        const Vec3 color(static_cast<Real>(stream.seed), 10 * stream.x + stream.y,
+                         10 * stream.sample + stream.dimension);
+        next_point(stream);
+        return color;
+    };
+    const Stream stream{.seed = 7, .x = 5, .y = 2, .sample = 4};
+    const PixelSample three[3] = {{Vec2(0.5), 0.5}, {Vec2(0.25), 0.25}, {Vec2(0.75), 0.25}};
+    const Vec3 color = sample_pixel(world, 5, 2, three, color_is_stream, stream);
+    INFO("actual " << color.x << " " << color.y << " " << color.z);
+    CHECK(color == Vec3(7, 52, 10 * (0.5 * 4 + 0.25 * 5 + 0.25 * 6)));
 }
 
 TEST_CASE("regular samples of a slope make the colour of its middle", "[08.1]") {
     const World world = plain_world(16, 9);
     for (int count = 1; count <= 100; ++count) {
-        const Vec3 color = sample_pixel(world, 11, 3, regular_samples(count), color_is_origin);
+        const Vec3 color = sample_pixel(world, 11, 3, regular_samples(count), color_is_origin, {});
         INFO(count << " samples: actual " << color.x << " " << color.y << ", expected 11.5 3.5");
         // A sum of `count` terms near 12/count, each rounding of which is at most 12u.
         CHECK(length(color - Vec3(11.5, 3.5, 0)) <= 24 * u * (count + 4));

@@ -253,6 +253,8 @@ TEST_CASE("a singular transform is an error with the place of the step that made
 TEST_CASE("scan conversion refuses what is not made of triangles, with its place", "[compile]") {
     CHECK(error_of("integrator rasterize\nsphere 0 0 0 1\n") ==
           "small.scene:5:1: scan conversion draws triangles only");
+    CHECK(error_of("integrator flat\nvisibility rasterize\nplane 0 0 0 0 0 1\n") ==
+          "small.scene:6:1: scan conversion draws triangles only");
     CHECK(error_of("integrator rasterize\n" + square_mesh()).empty());
 }
 

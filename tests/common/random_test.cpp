@@ -1,5 +1,7 @@
-// Random numbers: where they come from, that they are uniform, and that sequences have nothing in common.
+// Random numbers, in sequences and streams: what they depend on, that they are uniform, and that no two
+// sequences have anything in common.
 #include "common/math/random.hpp"
+#include "common/world/stream.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/chi_square.hpp"
@@ -9,6 +11,7 @@
 #include <vector>
 
 using rt::Random, rt::Real, rt::random_for, rt::random_real, rt::random_index;
+using rt::Stream, rt::next_real, rt::next_point;
 using rt::test::cases, rt::test::chi_square, rt::test::chi_square_limit;
 
 namespace {
@@ -96,6 +99,62 @@ TEST_CASE("random numbers are uniform, and neighbours in any direction independe
             const Real x = random_real(random) * 0x1p45, y = random_real(random) * 0x1p45;
             return rt::Vec2(x - std::floor(x), y - std::floor(y));
         });
+    }
+}
+
+TEST_CASE("a stream's numbers are a function of seed, pixel, sample and dimension", "[stream]") {
+    const Stream stream{.seed = 1, .x = 2, .y = 5, .sample = 3, .dimension = 4};
+    Stream a = stream, b = stream;
+    CHECK(next_real(a) == next_real(b));
+    CHECK(a.dimension == 5);
+    // Whatever was asked for before.
+    Stream later{.seed = 1, .x = 2, .y = 5, .sample = 3};
+    for (int i = 0; i < 4; ++i) next_real(later);
+    CHECK(next_real(later) == next_real(b = stream));
+
+    std::set<Real> numbers;
+    for (std::uint32_t sample = 0; sample < 10; ++sample)
+        for (std::uint32_t dimension = 0; dimension < 10; ++dimension)
+            for (int other = 1; other <= 10; ++other) {
+                Stream seeds{static_cast<std::uint64_t>(other), 0, 0, sample, dimension};
+                Stream columns{0, other, 0, sample, dimension}, rows{0, 0, other, sample, dimension};
+                numbers.insert({next_real(seeds), next_real(columns), next_real(rows)});
+            }
+    CHECK(numbers.size() == 3000);
+}
+
+TEST_CASE("a stream counts the numbers that it gives", "[stream]") {
+    Stream stream;
+    const std::uint64_t before = rt::ray_counts().random_numbers;
+    const rt::Vec2 point = next_point(stream);
+    CHECK(rt::ray_counts().random_numbers == before + 2);
+    CHECK(stream.dimension == 2);
+    Stream again;
+    const Real x = next_real(again);
+    CHECK(point == rt::Vec2(x, next_real(again)));
+}
+
+TEST_CASE("a stream's numbers are uniform, and neighbours in any direction independent", "[stream]") {
+    const auto number = [](Stream stream) { return next_real(stream); };
+    SECTION("one stream") {
+        Stream stream{.seed = 5};
+        check_pairs([&](std::uint64_t) { return next_point(stream); });
+    }
+    SECTION("neighbouring pixels") {
+        check_pairs([&](std::uint64_t i) {
+            const int x = static_cast<int>(i % 1024), y = static_cast<int>(i / 1024);
+            return rt::Vec2(number({.x = x, .y = y}), number({.x = x, .y = y + 1}));
+        });
+    }
+    SECTION("neighbouring samples") {
+        check_pairs([&](std::uint64_t i) {
+            const auto sample = static_cast<std::uint32_t>(i);
+            return rt::Vec2(number({.sample = sample}), number({.sample = sample + 1}));
+        });
+    }
+    SECTION("a stream and the pattern of its pixel") {
+        check_pairs(
+            [&](std::uint64_t i) { return rt::Vec2(number({.x = static_cast<int>(i)}), first_of(0, i, 0)); });
     }
 }
 

@@ -1,8 +1,8 @@
 // Pictures of several samples a pixel: what they cost, how wrong they are, and that they say so.
 #include "chapters/01_ray_casting/camera.hpp"
 #include "common/render/compile.hpp"
+#include "common/render/integrators.hpp"
 #include "common/render/render.hpp"
-#include "common/render/shade.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
@@ -45,11 +45,10 @@ TEST_CASE("one sample a pixel draws no random number and casts one ray through e
         CHECK(result.rays.camera == 48 * 36);
         CHECK(result.samples_per_pixel == 1);
         CHECK_FALSE(result.rms_error.has_value());
-        const RayColor color = color_function(world);
         for (const int y : {0, 17, 35})
             for (const int x : {0, 20, 47})
                 CHECK((result.image.pixels[static_cast<std::size_t>(y * 48 + x)] ==
-                       color(world, pixel_ray(world.view, x + 0.5, y + 0.5))));
+                       color_along(world, pixel_ray(world.view, x + 0.5, y + 0.5))));
     }
 }
 
@@ -76,6 +75,49 @@ TEST_CASE("the picture is the same to the bit on any number of threads", "[sampl
         CHECK(one.rays.camera == many.rays.camera);
         CHECK(one.rays.random_numbers == many.rays.random_numbers);
     }
+}
+
+TEST_CASE("what is random along a ray is the same on any number of threads", "[sampled]") {
+    const RayColor noise = [](const World&, const Ray&, Stream& stream) {
+        const Vec2 point = next_point(stream);
+        return Vec3(point, next_real(stream));
+    };
+    for (const char* more :
+         {"", "spp 9\n", "spp 4\nsampler regular\n", "spp 9\nadaptive on\n", "spp 4\nfilter mitchell\n"}) {
+        INFO(more);
+        RenderOptions options;
+        options.color = noise;
+        options.threads = 1;
+        const RenderResult one = draw(ball + more, options);
+        options.threads = 5;
+        CHECK(same(one.image, draw(ball + more, options).image));
+        CHECK_FALSE(same(one.image, draw(ball + more + "seed 1\n", options).image));
+        // Each ray drew three, besides what the patterns drew.
+        CHECK(one.rays.random_numbers >= 3 * one.rays.camera);
+        // No two pixels are equal, so none had another's numbers.
+        std::vector<Real> reds;
+        for (const Vec3& color : one.image.pixels) reds.push_back(color.x);
+        std::sort(reds.begin(), reds.end());
+        CHECK(std::adjacent_find(reds.begin(), reds.end()) == reds.end());
+    }
+}
+
+TEST_CASE("samples of a pixel and passes have random numbers of their own", "[sampled]") {
+    // Were they shared, the mean of many would be as noisy as one.
+    const auto noise_of = [](const std::string& more, const RenderOptions& options) {
+        const Image image = draw(ball + more, options).image;
+        Image grey = image;
+        for (Vec3& color : grey.pixels) color = Vec3(0.5);
+        return rms(image, grey);
+    };
+    RenderOptions options;
+    options.color = [](const World&, const Ray&, Stream& stream) { return Vec3(next_real(stream)); };
+    // The standard deviation of a number is √(1/12).
+    const Real one = std::sqrt(1. / 12);
+    CHECK(noise_of("", options) == Approx(one).epsilon(0.05));
+    CHECK(noise_of("spp 64\n", options) == Approx(one / 8).epsilon(0.05));
+    options.error = one / 16;
+    CHECK(noise_of("sampler regular\n", options) < 1.2 * one / 16);
 }
 
 TEST_CASE("the seed chooses the random numbers, and nothing else does", "[sampled]") {

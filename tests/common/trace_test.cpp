@@ -3,7 +3,7 @@
 #include "common/math/error.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/decisions.hpp"
-#include "common/render/shade.hpp"
+#include "common/render/integrators.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
 #include "tests/worlds.hpp"
@@ -52,7 +52,7 @@ TEST_CASE("the sum over a recorded tree is the pixel's colour") {
             const std::vector<TraceRecord> tree = trace_tree(world, ray);
             Vec3 sum(0);
             for (const TraceRecord& record : tree) sum += record.weight * record.local;
-            const Vec3 color = color_function(world)(world, ray);
+            const Vec3 color = color_along(world, ray);
             CAPTURE(x, y, tree.size());
             // The same terms, added in another order: at most one rounding a light and a ray.
             for (int i = 0; i < 3; ++i)

@@ -120,21 +120,21 @@ const Material mattes[2] = {matte(glow[0], {.75, .25, .25}), matte(glow[1], {.25
 
 Vec3 towards_viewer(const Vec3& n, const Ray& ray) { return dot(n, ray.direction) > 0 ? -n : n; }
 
-Vec3 glowing_ball(const World&, const Ray& ray) {
+Vec3 glowing_ball(const World&, const Ray& ray, Stream&) {
     return closest_hit(ball, ray, everything) ? glow[0] : Vec3(0);
 }
 
-Vec3 glowing_planes(const World&, const Ray& ray) {
+Vec3 glowing_planes(const World&, const Ray& ray, Stream&) {
     const std::optional<Hit> hit = closest_hit(planes, ray, everything);
     return hit ? glow[hit->primitive] : Vec3(0);
 }
 
-Vec3 glowing_sheet(const World&, const Ray& ray) {
+Vec3 glowing_sheet(const World&, const Ray& ray, Stream&) {
     const std::optional<Hit> hit = closest_hit(sheet, ray, everything);
     return hit ? glow[hit->primitive >= half] : Vec3(0);
 }
 
-Vec3 glowing_balls(const World&, const Ray& ray) {
+Vec3 glowing_balls(const World&, const Ray& ray, Stream&) {
     const std::optional<Hit> hit = closest_hit(balls, ray, everything);
     return hit ? glow[hit->primitive >= half] : Vec3(0);
 }
@@ -147,8 +147,8 @@ Vec3 normals(const Shapes& shapes, const Ray& ray) {
     return 0.5 * (towards_viewer(surface.shading_normal, ray) + Vec3(1));
 }
 
-Vec3 normals_of_balls(const World&, const Ray& ray) { return normals(balls, ray); }
-Vec3 normals_of_sheet(const World&, const Ray& ray) { return normals(sheet, ray); }
+Vec3 normals_of_balls(const World&, const Ray& ray, Stream&) { return normals(balls, ray); }
+Vec3 normals_of_sheet(const World&, const Ray& ray, Stream&) { return normals(sheet, ray); }
 
 /// Matte shapes, `red_ones` of them red and the rest blue, under lights that throw shadows.
 template <std::uint32_t red_ones, class Shapes, class... Lights>
@@ -170,15 +170,15 @@ Vec3 lit(const Shapes& shapes, const Ray& ray, const Lights&... lights) {
     return sum;
 }
 
-Vec3 balls_by_lamp(const World&, const Ray& ray) { return lit<half>(balls, ray, lamp); }
-Vec3 balls_by_sun(const World&, const Ray& ray) { return lit<half>(balls, ray, sun); }
-Vec3 balls_by_both(const World&, const Ray& ray) { return lit<half>(balls, ray, lamp, sun); }
-Vec3 moved_sheet_by_lamp(const World&, const Ray& ray) { return lit<count>(moved_sheet, ray, lamp); }
+Vec3 balls_by_lamp(const World&, const Ray& ray, Stream&) { return lit<half>(balls, ray, lamp); }
+Vec3 balls_by_sun(const World&, const Ray& ray, Stream&) { return lit<half>(balls, ray, sun); }
+Vec3 balls_by_both(const World&, const Ray& ray, Stream&) { return lit<half>(balls, ray, lamp, sun); }
+Vec3 moved_sheet_by_lamp(const World&, const Ray& ray, Stream&) { return lit<count>(moved_sheet, ray, lamp); }
 
 // The first half of the balls is of clear glass, the second glows.
 
 /// Chapter 7's loop, with nothing said about absorption.
-Vec3 glass_balls(const World& world, const Ray& ray) {
+Vec3 glass_balls(const World& world, const Ray& ray, Stream&) {
     Vec3 sum(0);
     Branch camera;
     camera.ray = ray;
@@ -188,7 +188,7 @@ Vec3 glass_balls(const World& world, const Ray& ray) {
         stack.pop_back();
         const std::optional<Hit> hit = closest_hit(world, branch.ray, everything);
         if (!hit) {
-            sum += branch.weight * world.background;
+            sum += branch.weight * background(world, branch.ray.direction);
             continue;
         }
         const Surface surface = surface_at(world, branch.ray, *hit);
@@ -230,7 +230,7 @@ void add_glass(const Ray& ray, const Vec3& weight, int depth, bool inside, Vec3&
               !inside, sum);
 }
 
-Vec3 separate_glass_balls(const World&, const Ray& ray) {
+Vec3 separate_glass_balls(const World&, const Ray& ray, Stream&) {
     Vec3 sum(0);
     add_glass(ray, Vec3(1), 0, false, sum);
     return sum;

@@ -4,8 +4,8 @@
 //                                         WHICH is general, minimal or with
 #include "common/render/compile.hpp"
 #include "common/render/explain.hpp"
+#include "common/render/integrators.hpp"
 #include "common/render/sampled.hpp"
-#include "common/render/shade.hpp"
 #include "common/scene/parse.hpp"
 #include "common/terminal/process.hpp"
 #include "common/terminal/project.hpp"

@@ -3,8 +3,8 @@
 
 #include "chapters/01_ray_casting/camera.hpp"
 #include "common/render/compile.hpp"
+#include "common/render/integrators.hpp"
 #include "common/render/render.hpp"
-#include "common/render/shade.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/stability/coverage.hpp"
 
@@ -68,8 +68,9 @@ Image smooth_truth(const World& world) {
                     for (const int sign : {0, 1, 2, 3}) {
                         const Real at_x = x + 0.5 + (sign % 2 == 0 ? a : -a) / 2;
                         const Real at_y = y + 0.5 + (sign / 2 == 0 ? b : -b) / 2;
-                        pixel(image, x, y) +=
-                            weight_a * weight_b / 4 * color(world, pixel_ray(world.view, at_x, at_y));
+                        Stream stream = stream_of(world, x, y);
+                        const Ray ray = pixel_ray(world.view, at_x, at_y);
+                        pixel(image, x, y) += weight_a * weight_b / 4 * color(world, ray, stream);
                     }
     return image;
 }

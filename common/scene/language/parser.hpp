@@ -29,7 +29,8 @@ struct Parser {
 
     bool has_camera = false;
     bool has_command = false;
-    std::string adaptive_place{};  ///< of `adaptive on`, for a message
+    bool integrator_rasterizes = false;  ///< the last `integrator` said the older word for both
+    std::string adaptive_place{};        ///< of `adaptive on`, for a message
     std::map<std::string, std::uint32_t> mesh_of_file{};
 
     const SceneCommand* command = nullptr;  ///< of the line

@@ -1,0 +1,188 @@
+// One colour a ray: the integrators that the course gives, and which function of one a world uses.
+// To add one: its row in common/scene/integrators.hpp, and its functions and its row here.
+#include "common/render/integrators.hpp"
+
+#include "chapters/07_recursion/radiance.hpp"
+#include "common/render/groups.hpp"
+#include "common/render/lights.hpp"
+#include "common/scene/integrators.hpp"
+
+namespace rt {
+namespace {
+
+constexpr Interval everything{0, infinity};
+
+// How a ray asks the world. The functions below are made for each way, so that none of them has a choice
+// left.
+
+/// A world of several shapes, or none: each is asked.
+struct AllShapes {
+    static std::optional<Hit> closest(const World& world, const Ray& ray) {
+        return closest_hit(world, ray, everything);
+    }
+    static Surface surface(const World& world, const Ray& ray, const Hit& hit) {
+        return surface_at(world, ray, hit);
+    }
+};
+
+/// A world whose primitives are all of this shape, without an accelerator: they alone are asked.
+template <class Shape>
+struct OnlyShape {
+    static std::optional<Hit> closest(const World& world, const Ray& ray) {
+        return closest_hit(shapes_of(only_group<Shape>(world)), ray, everything);
+    }
+    static Surface surface(const World& world, const Ray& ray, const Hit& hit) {
+        return surface_in(world, only_group<Shape>(world), hit.primitive, ray, hit);
+    }
+};
+
+/// The function that `make` makes for the way in which this world is asked.
+template <class Make>
+RayColor for_shapes(const World& world, Make make) {
+    if (world.groups.size() != 1) return make.template operator()<AllShapes>();
+    return std::visit(
+        [&]<class Shape>(const Group<Shape>& group) {
+            // Next to a search by an accelerator, the choice of a shape is nothing.
+            return has_accelerator(group) ? make.template operator()<AllShapes>()
+                                          : make.template operator()<OnlyShape<Shape>>();
+        },
+        world.groups.front());
+}
+
+/// What `Show` says of the nearest hit, or the background.
+template <class Show, class Among>
+Vec3 color_of_nearest(const World& world, const Ray& ray, Stream&) {
+    const std::optional<Hit> hit = Among::closest(world, ray);
+    return hit ? Show::template of<Among>(world, ray, *hit) : background(world, ray.direction);
+}
+
+template <class Show>
+RayColor nearest(const World& world) {
+    return for_shapes(world, []<class Among>() -> RayColor { return color_of_nearest<Show, Among>; });
+}
+
+/// The material at a hit where no material has a pattern: then nobody needs to know the surface.
+const Material& plain_material(const World& world, const Hit& hit) {
+    return world.materials[world.primitives[hit.primitive].material];
+}
+
+// directions
+
+/// The ray's direction as a colour, (d + 1)/2 for the unit direction d.
+Vec3 direction_color(const World&, const Ray& ray, Stream&) {
+    return 0.5 * (normalize(ray.direction) + Vec3(1));
+}
+
+RayColor directions(const World&) { return direction_color; }
+
+// normals
+
+/// The unit shading normal, turned to the viewer, as the colour (n + 1)/2.
+struct Normal {
+    template <class Among>
+    static Vec3 of(const World& world, const Ray& ray, const Hit& hit) {
+        const Vec3 n = Among::surface(world, ray, hit).shading_normal;
+        return 0.5 * (turned_to_viewer(n, ray.direction) + Vec3(1));
+    }
+};
+
+// uv
+
+/// The texture coordinates as (u, v, 0).
+struct TextureCoordinates {
+    template <class Among>
+    static Vec3 of(const World& world, const Ray& ray, const Hit& hit) {
+        return Vec3(Among::surface(world, ray, hit).uv, 0);
+    }
+};
+
+// flat
+
+/// What a thing shows without any light.
+struct OwnLight {
+    template <class Among>
+    static Vec3 of(const World& world, const Ray& ray, const Hit& hit) {
+        const Material& material = world.needs.patterns
+                                       ? material_at(world, hit, Among::surface(world, ray, hit))
+                                       : plain_material(world, hit);
+        return material.ambient + material.emission;
+    }
+};
+
+Vec3 cast_ray_color(const World& world, const Ray& ray, Stream&) { return cast_ray(world, ray); }
+
+RayColor flat(const World&) { return cast_ray_color; }
+
+// raytrace
+
+/// The same where there are no patterns.
+struct PlainLight {
+    template <class Among>
+    static Vec3 of(const World& world, const Ray&, const Hit& hit) {
+        const Material& material = plain_material(world, hit);
+        return material.ambient + material.emission;
+    }
+};
+
+/// The shading sum of SCENE_FORMAT.md, without reflection.
+struct SumOfLights {
+    template <class Among>
+    static Vec3 of(const World& world, const Ray& ray, const Hit& hit) {
+        const Surface surface = Among::surface(world, ray, hit);
+        const Vec3 normal = turned_to_viewer(surface.shading_normal, ray.direction);
+        const Material& material =
+            world.needs.patterns ? material_at(world, hit, surface) : plain_material(world, hit);
+        return sum_of_lights(world, surface, material, normal, -ray.direction);
+    }
+};
+
+Vec3 radiance_color(const World& world, const Ray& ray, Stream&) { return radiance(world, ray); }
+
+RayColor raytrace(const World& world) {
+    const Needs& needs = world.needs;
+    if (needs.reflection || needs.refraction) return radiance_color;
+    if (needs.lights) return nearest<SumOfLights>(world);
+    return needs.patterns ? cast_ray_color : nearest<PlainLight>(world);
+}
+
+/// The rendering half of a row.
+struct Renderer {
+    Integrator integrator;
+    RayColor (*color)(const World&);  ///< looks at the world, once a picture
+    HitColor hit_color = nullptr;     ///< where its colour depends on the nearest hit alone
+};
+
+constexpr Renderer renderers[] = {
+    {Integrator::Raytrace, raytrace},
+    {Integrator::Flat, flat, OwnLight::of<AllShapes>},
+    {Integrator::Directions, directions},
+    {Integrator::Normals, nearest<Normal>, Normal::of<AllShapes>},
+    {Integrator::Uv, nearest<TextureCoordinates>, TextureCoordinates::of<AllShapes>},
+};
+
+constexpr bool fits_the_scenes_table() {
+    if (std::size(renderers) != std::size(integrators)) return false;
+    for (std::size_t i = 0; i < std::size(integrators); ++i)
+        if (renderers[i].integrator != integrators[i].value ||
+            (renderers[i].hit_color != nullptr) != integrators[i].hit_alone)
+            return false;
+    return true;
+}
+static_assert(fits_the_scenes_table());
+
+const Renderer& renderer_of(const World& world) {
+    return renderers[static_cast<std::size_t>(world.integrator)];
+}
+
+}  // namespace
+
+RayColor color_function(const World& world) { return renderer_of(world).color(world); }
+
+Vec3 color_along(const World& world, const Ray& ray) {
+    Stream stream;
+    return color_function(world)(world, ray, stream);
+}
+
+HitColor hit_color_function(const World& world) { return renderer_of(world).hit_color; }
+
+}  // namespace rt

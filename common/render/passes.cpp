@@ -1,0 +1,136 @@
+// Passes over a picture, each of which gives all its pixels new samples.
+#include "common/render/passes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+constexpr std::size_t film_part = 1 << 16;  ///< samples that are put on the film together
+
+int margin(const SampledPicture& picture) {
+    return static_cast<int>(std::ceil(picture.world.sampling.filter.radius));
+}
+
+/// The pixel's samples, counted as camera rays.
+std::vector<PixelSample> samples_of(const SampledPicture& picture, const Patterns& patterns, int x, int y,
+                                    std::uint64_t pass) {
+    const int count = picture.counts.empty() ? patterns.count : picture.counts[picture.index(x, y)];
+    std::vector<PixelSample> samples = pattern_of(picture.world, patterns, x, y, pass, count);
+    ray_counts().camera += samples.size();
+    return samples;
+}
+
+void take(PassedPixel& pixel, const Vec3& color) {
+    pixel.sum = add(pixel.sum, color, 1);
+    const Vec3 from_old = color - pixel.mean;
+    pixel.mean += from_old / pixel.sum.weight;
+    pixel.deviations += from_old * (color - pixel.mean);
+}
+
+/// Each pixel takes the mean of its own samples.
+void make_box_pass(SampledPicture& picture, const Patterns& patterns, std::uint64_t pass,
+                   const std::function<bool()>& stop, const std::function<void(std::size_t)>& done) {
+    in_parallel(
+        picture.tiles.size(), picture.rays,
+        [&](std::size_t i) {
+            if (stop && stop()) return;
+            each_pixel(picture.tiles[i], [&](int x, int y) {
+                take(picture.pixels[picture.index(x, y)], color_of_pixel(picture, patterns, x, y, pass));
+            });
+        },
+        done);
+}
+
+/// Each pixel takes the mean of all the samples that its filter reaches. Tiles make sums for their
+/// neighbours' pixels too; they are put together in the order of the tiles, so that the number of threads
+/// does not matter.
+void make_wide_pass(SampledPicture& picture, const Patterns& patterns, std::uint64_t pass,
+                    const std::function<void(std::size_t)>& done) {
+    const std::vector<Tile>& tiles = picture.tiles;
+    std::vector<std::vector<FilmPixel>> sums(tiles.size());
+    in_parallel(
+        tiles.size(), picture.rays,
+        [&](std::size_t i) {
+            sums[i] = film_of_tile(picture, patterns, tiles[i], pass, reached(picture, tiles[i]));
+        },
+        done);
+    std::vector<FilmPixel> whole(picture.pixels.size());
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        auto sum = sums[i].begin();
+        each_pixel(reached(picture, tiles[i]), [&](int x, int y) {
+            FilmPixel& pixel = whole[picture.index(x, y)];
+            pixel = merge(pixel, *sum++);
+        });
+    }
+    for (std::size_t i = 0; i < whole.size(); ++i) take(picture.pixels[i], color_of(whole[i]));
+}
+
+}  // namespace
+
+SampledPicture::SampledPicture(const World& of, RayColor color_of_ray)
+    : world(of),
+      color(color_of_ray),
+      tiles(tiles_of(of.view)),
+      pixels(static_cast<std::size_t>(of.view.width) * static_cast<std::size_t>(of.view.height)) {}
+
+bool has_wide_filter(const SampledPicture& picture) {
+    const Filter& filter = picture.world.sampling.filter;
+    return filter.kind != FilterKind::Box || filter.radius != 0.5;
+}
+
+Tile in_picture(const SampledPicture& picture, const Tile& area) {
+    const View& view = picture.world.view;
+    return {std::max(area.x0, 0), std::max(area.y0, 0), std::min(area.x1, view.width),
+            std::min(area.y1, view.height)};
+}
+
+Tile reached(const SampledPicture& picture, const Tile& tile) {
+    return in_picture(picture, grown(tile, margin(picture)));
+}
+
+Vec3 color_at(const SampledPicture& picture, int x, int y, const Vec2& at, const Stream& stream) {
+    const PixelSample alone{at, 1};
+    return sample_pixel(picture.world, x, y, {&alone, 1}, picture.color, stream);
+}
+
+Vec3 color_of_pixel(const SampledPicture& picture, const Patterns& patterns, int x, int y,
+                    std::uint64_t pass) {
+    return sample_pixel(picture.world, x, y, samples_of(picture, patterns, x, y, pass), picture.color,
+                        stream_of(picture.world, x, y, pass));
+}
+
+std::vector<FilmPixel> film_of_tile(const SampledPicture& picture, const Patterns& patterns,
+                                    const Tile& sampled, std::uint64_t pass, const Tile& area) {
+    std::vector<FilmPixel> sums(static_cast<std::size_t>(width(area)) *
+                                static_cast<std::size_t>(height(area)));
+    std::vector<FilmSample> samples;
+    // Part by part, so that not all the samples of many are kept at once.
+    const auto expose = [&] {
+        const std::vector<FilmPixel> part = film_of(samples, picture.world.sampling.filter, area);
+        for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = merge(sums[i], part[i]);
+        samples.clear();
+    };
+    each_pixel(sampled, [&](int x, int y) {
+        Stream stream = stream_of(picture.world, x, y, pass);
+        for (const PixelSample& sample : samples_of(picture, patterns, x, y, pass)) {
+            const Vec2 at(x + sample.at.x, y + sample.at.y);
+            samples.push_back({at, color_at(picture, x, y, sample.at, stream), sample.weight});
+            ++stream.sample;
+        }
+        if (samples.size() >= film_part) expose();
+    });
+    expose();
+    return sums;
+}
+
+void make_pass(SampledPicture& picture, const Patterns& patterns, std::uint64_t pass,
+               const std::function<bool()>& stop, const std::function<void(std::size_t)>& done) {
+    if (has_wide_filter(picture))
+        make_wide_pass(picture, patterns, pass, done);
+    else
+        make_box_pass(picture, patterns, pass, stop, done);
+}
+
+}  // namespace rt

@@ -1,0 +1,71 @@
+// The patterns of samples that the pixels of a picture have, pass by pass.
+#include "common/render/patterns.hpp"
+
+namespace rt {
+namespace {
+
+constexpr std::uint64_t poisson_patterns = 64;
+
+/// The pattern moved on the torus.
+std::vector<PixelSample> moved(std::vector<PixelSample> samples, const Vec2& by) {
+    for (PixelSample& sample : samples) {
+        sample.at += by;
+        if (sample.at.x >= 1) sample.at.x -= 1;
+        if (sample.at.y >= 1) sample.at.y -= 1;
+    }
+    return samples;
+}
+
+/// A pattern that is not random is the same in all pixels; only further passes move it.
+std::vector<PixelSample> shifted(std::vector<PixelSample> samples, std::uint64_t pass, Random random) {
+    if (pass == 0) return samples;
+    ray_counts().random_numbers += 2;
+    return moved(std::move(samples), random_point(random));
+}
+
+}  // namespace
+
+Patterns patterns_for(const World& world, Sampler sampler, int count) {
+    Patterns patterns{sampler, count};
+    if (sampler == Sampler::Poisson)
+        for (std::uint64_t i = 0; i < poisson_patterns; ++i)
+            patterns.poisson.push_back(
+                poisson_disk_samples(count, random_for(world.sampling.seed, i, pattern_pass)));
+    return patterns;
+}
+
+std::vector<PixelSample> pattern_of(const World& world, const Patterns& patterns, int x, int y,
+                                    std::uint64_t pass, int samples) {
+    const std::uint64_t pixel = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(world.view.width) +
+                                static_cast<std::uint64_t>(x);
+    Random random = random_for(world.sampling.seed, pixel, pass);
+    std::uint64_t& drawn = ray_counts().random_numbers;
+    switch (patterns.sampler) {
+        case Sampler::Random:
+            drawn += 2 * static_cast<std::uint64_t>(samples);
+            return random_samples(samples, random);
+        case Sampler::Jittered:
+            drawn += 2 * static_cast<std::uint64_t>(samples);
+            return jittered_samples(samples, random);
+        case Sampler::Poisson: {
+            drawn += 3;
+            const std::size_t which = random_index(random, patterns.poisson.size());
+            return moved(patterns.poisson[which].samples, random_point(random));
+        }
+        case Sampler::Regular:
+            return shifted(regular_samples(samples), pass, random);
+        case Sampler::Trapezoid:
+            return shifted(trapezoid_samples(samples), pass, random);
+        case Sampler::Centered:
+            return shifted(centered_samples(samples), pass, random);
+    }
+    return {};
+}
+
+Stream stream_of(const World& world, int x, int y, std::uint64_t pass) {
+    Stream stream = stream_of(world, x, y);
+    if (pass != 0) stream.seed = mixed(stream.seed, pass);
+    return stream;
+}
+
+}  // namespace rt
