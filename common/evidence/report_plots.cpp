@@ -133,7 +133,7 @@ struct Range {
 
 ReportPlot picture_plot(const ReportData& scene) {
     std::vector<ReportData> curves = scene.at("curves");
-    std::ranges::stable_partition(curves, is_lone);
+    std::stable_partition(curves.begin(), curves.end(), is_lone);
     std::vector<std::string> methods, titles;
     Range errors, seconds;
     for (const auto& curve : curves) {
