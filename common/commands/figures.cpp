@@ -1,6 +1,7 @@
 // `course figures`: whether the lessons' figures are what their programs draw.
 #include "common/commands/changed_files.hpp"
 #include "common/commands/commands.hpp"
+#include "common/image/file.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/terminal/process.hpp"
 #include "common/workbook/catalogue.hpp"
@@ -30,18 +31,26 @@ fs::path draw_figures(const Project& project, const Chapter& chapter) {
     return drawn;
 }
 
+/// Whether a figure is what it was: pictures by their pixels, however they are packed, other files by their
+/// bytes.
+bool is_same_figure(const fs::path& a, const fs::path& b) {
+    if (a.extension() != ".png") return read_file(a) == read_file(b);
+    const Picture one = read_picture(a, Encoding::Linear), other = read_picture(b, Encoding::Linear);
+    return one.eight_bits == other.eight_bits && one.image.width == other.image.width &&
+           one.image.height == other.image.height && one.image.pixels == other.image.pixels;
+}
+
 /// What of the chapter's figures differs from what was drawn; `make` writes it.
 std::vector<std::string> changed_figures(const Project& project, const fs::path& drawn, const fs::path& kept,
                                          bool make) {
     std::vector<std::string> changed;
     for (const fs::path& file : files_in(drawn)) {
         const fs::path old = kept / file.filename();
-        const std::string figure = read_file(file);
-        const bool equal = fs::exists(old) && (is_measured(file) || read_file(old) == figure);
+        const bool equal = fs::exists(old) && (is_measured(file) || is_same_figure(file, old));
         if (equal && !(make && is_measured(file))) continue;
         if (make) {
             make_directories(kept);
-            write_file(old, figure);
+            write_file(old, read_file(file));
         }
         changed.push_back(relative(project, old));
     }
