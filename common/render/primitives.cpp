@@ -20,6 +20,11 @@ namespace {
 /// that must not lose a triangle.
 constexpr Real most_flattening_of_instance = 1e7;
 
+template <class Shape, class... Listed>
+constexpr bool is_in(List<Listed...>) {
+    return (std::is_same_v<Shape, Listed> || ...);
+}
+
 template <class>
 struct AllGroups;
 template <class... Shape>
@@ -80,6 +85,7 @@ struct PrimitiveBuilder {
     }
     template <class Shape>
     void append(Shape shape) {
+        static_assert(is_in<Shape>(Shapes()), "this shape is missing in Shapes (common/world/shapes.hpp)");
         append(std::get<Group<Shape>>(groups), std::move(shape));
     }
 
