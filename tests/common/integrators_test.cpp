@@ -114,3 +114,13 @@ TEST_CASE("'integrator rasterize' is an older word, and other words end it", "[i
     CHECK(scene_of("visibility rasterize\nintegrator flat\n").visibility == Visibility::Rasterize);
     CHECK(scene_of("visibility rasterize\nvisibility rays\n").visibility == Visibility::Rays);
 }
+
+TEST_CASE("scan conversion can colour the hits of just the integrators that ask for nothing else",
+          "[integrators]") {
+    for (const IntegratorRow& row : integrators) {
+        World world;
+        world.integrator = row.value;
+        INFO(row.name);
+        CHECK((hit_color_function(world) != nullptr) == row.hit_alone);
+    }
+}
