@@ -110,7 +110,7 @@ fs::path own_directory(const Project& project) {
     fs::create_directories(all);
     const Lock lock(all.string() + ".lock", "looking for what killed processes left");
     remove_stale(all);
-    std::string name = (all / "XXXXXX").string();
+    std::string name = (all / std::string(6, 'X')).string();  // mkdtemp puts a name that is free there
     if (!mkdtemp(name.data())) throw std::runtime_error(all.string() + ": no directory can be made there");
     own.alive = open(alive_file(name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     try_to_lock(own.alive, LOCK_EX | LOCK_NB);
