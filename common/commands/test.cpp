@@ -59,7 +59,8 @@ int run_test(bool quick, bool json) {
     const std::vector<Chapter> chapters = read_catalogue(project);
     std::vector<SelfTest> parts;
 
-    std::vector<std::string> programs{"test_common", "test_program", "test_leave_out", "test_report"};
+    std::vector<std::string> programs{"test_common", "test_program", "test_grading", "test_leave_out",
+                                      "test_report"};
     for (const Chapter& chapter : chapters) programs.push_back("check_" + chapter.number + "_solution");
     std::vector<std::string> good;
     parts.push_back(timed("build", json, [&](SelfTest& part) { good = built(project, programs, part); }));

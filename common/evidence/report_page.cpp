@@ -1,6 +1,6 @@
 // The report's page: what the templates in pages/ show of the data, ready to be read.
 #include "common/evidence/report.hpp"
-#include "common/pictures/page.hpp"
+#include "common/terminal/page.hpp"
 #include "common/terminal/console.hpp"
 
 #include <fmt/format.h>

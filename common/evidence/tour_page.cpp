@@ -1,7 +1,7 @@
 // The tour's page: what the templates pages/tour*.mustache show of its stops.
 #include "common/evidence/tour.hpp"
 #include "common/image/whole_file.hpp"
-#include "common/pictures/page.hpp"
+#include "common/terminal/page.hpp"
 #include "common/terminal/console.hpp"
 
 #include <fmt/format.h>

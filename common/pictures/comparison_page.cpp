@@ -2,7 +2,8 @@
 #include "common/pictures/comparison_page.hpp"
 
 #include "common/image/file.hpp"
-#include "common/pictures/page.hpp"
+#include "common/terminal/base64.hpp"
+#include "common/terminal/page.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,25 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 
 namespace rt {
 namespace {
-
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? letters[group >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
-}
 
 /// The image as a data URL: an 8-bit sRGB PNG.
 std::string data_url(const Image& image) {

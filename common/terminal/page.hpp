@@ -12,7 +12,7 @@ namespace rt {
 using PageView = TemplateView;
 
 /// The page that a template makes of `view`; `file` is its path from the repository's root, such as
-/// "common/evidence/pages/tour.mustache". The templates beside it and those of common/pictures/pages are its
+/// "common/evidence/pages/tour.mustache". The templates beside it and those of common/terminal/pages are its
 /// partials. The page's style is page.css and, if there is one, the .css file beside the template with its
 /// name. Throws as `filled`.
 std::string page_from(std::string_view file, const PageView& view);
