@@ -284,7 +284,8 @@ std::vector<WeightCase> weight_cases(std::size_t count, std::uint64_t seed) {
     });
 }
 
-Verdict judge(std::span<const WeightCase> cases, std::span<const std::optional<Vec3>> answers) {
+Verdict judge(std::span<const WeightCase> cases, std::span<const std::optional<Vec3>> answers,
+              WeightsFrom method) {
     Verdict verdict;
     verdict.cases = cases.size();
     for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -294,7 +295,9 @@ Verdict judge(std::span<const WeightCase> cases, std::span<const std::optional<V
         const Real condition = longest * longest / length(cross(b - a, c - a));
         // Weights above 1 scale the answer, and so its error.
         const Vec3 size = glm::abs(item.weights);
-        const Real allowed = band * condition * std::max({Real(1), size.x, size.y, size.z});
+        const Real amplified = method == WeightsFrom::DotProducts ? condition * condition : condition;
+        if (band * amplified >= 1) continue;
+        const Real allowed = band * amplified * std::max({Real(1), size.x, size.y, size.z});
         Real error = infinity;
         if (answers[i]) {
             const Vec3 off = glm::abs(*answers[i] - item.weights);

@@ -111,8 +111,13 @@ struct WeightCase {
 /// 2^27. κ, that of a weight, is the longest edge over the lowest height.
 std::vector<WeightCase> weight_cases(std::size_t count, std::uint64_t seed);
 
-/// Judges barycentric coordinates: every weight is right to 8κu.
-Verdict judge(std::span<const WeightCase> cases, std::span<const std::optional<Vec3>> answers);
+/// Ways to compute weights. From areas they are right to 8κu. Dot products (Ericson 2005) square what
+/// rounding amplifies: 8κ²u, and where that is 1 or more, anything may come out, "no area" too.
+enum class WeightsFrom { Areas, DotProducts };
+
+/// Judges barycentric coordinates: every weight is as right as those of the method are.
+Verdict judge(std::span<const WeightCase> cases, std::span<const std::optional<Vec3>> answers,
+              WeightsFrom method = WeightsFrom::Areas);
 
 /// Vectors nearly along the same line, or exactly.
 struct TurnCase {
