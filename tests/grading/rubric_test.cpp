@@ -3,6 +3,7 @@
 #include "common/grading/rubric.hpp"
 #include "tests/catch.hpp"
 #include "tests/grading/examples.hpp"
+#include "tests/grading/schema.hpp"
 #include "tests/support.hpp"
 
 using namespace rt;
@@ -130,5 +131,30 @@ TEST_CASE("times") {
           "2027-01-01 00:00Z", "1969-01-01T00:00Z", "2027-01-01T00:00Zx", ""}) {
         INFO(text);
         CHECK_FALSE(moment_of(text));
+    }
+}
+
+TEST_CASE("the written schema of grading.json and its reader agree") {
+    const std::string schema = "common/grading/rubric.schema.json";
+    const std::vector<std::string> good{
+        R"({"version": 1})",
+        R"({"version": 1, "credit": "part", "hidden": ["[stability]", "a name"], "steps": {}})",
+        R"({"version": 1, "steps": {"02.1": {"points": 0, "credit": "all", "extra": false, "hidden": []}}})",
+        R"({"version": 1, "due": {"02": "2027-03-01T12:00Z"}, "late": [{"hours": 1, "percent": 0}]})",
+        R"({"version": 1, "shown_from": {"marks": "2027-03-01T12:00:00-05:00", "hidden": "2027-03-01T12:00Z"}})"};
+    for (const std::string& text : good) CHECK(error_of(text) == "");
+    CHECK(test::against_schema(good, schema) == "");
+    for (const std::string& text : std::vector<std::string>{
+             "[]", "{}", R"({"version": 2})", R"({"version": 1, "credit": "half"})",
+             R"({"version": 1, "hidden": [""]})", R"({"version": 1, "points": 3})",
+             R"({"version": 1, "steps": {"02.1": {"points": 1001}}})",
+             R"({"version": 1, "steps": {"02.1": {"title": "x"}}})",
+             R"({"version": 1, "due": {"02": "2027-03-01T12:00Z"}})",
+             R"({"version": 1, "due": {"02": "tomorrow"}, "late": []})",
+             R"({"version": 1, "due": {"02": "2027-03-01T12:00Z"}, "late": [{"hours": 0, "percent": 5}]})",
+             R"({"version": 1, "shown_from": "now"})"}) {
+        INFO(text);
+        CHECK(error_of(text) != "");
+        CHECK(test::against_schema({text}, schema) != "");
     }
 }

@@ -1,0 +1,63 @@
+// What several formats share.
+#include "common/grading/formats/parts.hpp"
+
+#include "common/math/input_error.hpp"
+#include "common/terminal/base64.hpp"
+
+#include <fmt/format.h>
+
+namespace rt {
+
+void require_shown(const ShownGrade& shown) {
+    if (shown.marks_from)
+        throw InputError(
+            fmt::format("students may not see marks before {}; until then there are html and csv for you, "
+                        "and gradescope, which keeps them back",
+                        text_of(*shown.marks_from)));
+}
+
+std::string name_of(const GradedStep& step) { return step.id + " " + step.title; }
+
+Points counted_possible(const GradedStep& step) { return step.extra ? Points{} : step.possible; }
+
+std::string points_line(const GradedStep& step) {
+    return fmt::format("{} of {} points{}", text_of(step.earned), text_of(step.possible),
+                       step.extra ? ", extra credit" : "");
+}
+
+bool is_error(Verdict verdict) {
+    return verdict == Verdict::Crashed || verdict == Verdict::TimedOut || verdict == Verdict::TooMuchMemory ||
+           verdict == Verdict::NotCompiled;
+}
+
+bool is_skipped(Verdict verdict) { return verdict == Verdict::Todo || verdict == Verdict::NeedsStep; }
+
+std::string data_url(const std::string& png) { return "data:image/png;base64," + base64(png); }
+
+std::string escaped_markup(std::string_view text) {
+    std::string escaped;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                escaped += "&amp;";
+                break;
+            case '<':
+                escaped += "&lt;";
+                break;
+            case '>':
+                escaped += "&gt;";
+                break;
+            case '"':
+                escaped += "&quot;";
+                break;
+            case '\'':
+                escaped += "&#39;";
+                break;
+            default:
+                escaped += c;
+        }
+    }
+    return escaped;
+}
+
+}  // namespace rt
