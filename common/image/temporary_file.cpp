@@ -40,14 +40,22 @@ extern "C" void remove_temporaries(int signal) {
     ::raise(signal);  // the handler was for once; now the signal ends the program, as it should
 }
 
+extern "C" void go_on(int) {}
+
+/// Sets the handler of a signal that would end the program.
+void handle(int signal, void (*handler)(int), int flags) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) return;
+    action.sa_handler = handler;
+    action.sa_flags = flags;
+    ::sigaction(signal, &action, nullptr);
+}
+
 void watch_signals() {
-    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ}) {
-        struct sigaction action {};
-        if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
-        action.sa_handler = remove_temporaries;
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        ::sigaction(signal, &action, nullptr);
-    }
+    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU})
+        handle(signal, remove_temporaries, static_cast<int>(SA_RESETHAND));
+    // Where a file would be larger than `ulimit -f` allows, writing fails as on a full disk.
+    handle(SIGXFSZ, go_on, SA_RESTART);
 }
 
 /// Tells the handler of a temporary file; null where it cannot.

@@ -602,17 +602,13 @@ TEST_CASE("a written file is there with its content and nothing beside it") {
 struct FileSizeLimit {
     rlimit before{};
     explicit FileSizeLimit(rlim_t bytes) {
-        std::signal(SIGXFSZ, SIG_IGN);
         ::getrlimit(RLIMIT_FSIZE, &before);
         const rlimit limit{bytes, before.rlim_max};
         ::setrlimit(RLIMIT_FSIZE, &limit);
     }
     FileSizeLimit(const FileSizeLimit&) = delete;
     FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-    ~FileSizeLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &before);
-        std::signal(SIGXFSZ, SIG_DFL);
-    }
+    ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before); }
 };
 
 TEST_CASE("a write that fails half way leaves the old file and nothing else") {
