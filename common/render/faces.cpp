@@ -17,8 +17,7 @@ Sphere bound_of(const Mesh& mesh) {
     const Vec3 center = 0.5 * low + 0.5 * high;
     Real radius = 0;
     for (const Vec3& p : mesh.positions) radius = std::max(radius, glm::length(p - center));
-    // Wider by 2^-20, so that rounding in the sphere test cannot lose a triangle for rays from up to a
-    // million radii away.
+    // Wider by more than the rounding of centre and radius.
     return {center, radius * (1 + 0x1p-20)};
 }
 

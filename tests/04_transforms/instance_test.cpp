@@ -1,5 +1,6 @@
 // Step 04.6: ellipsoids, and instances of a mesh.
 #include "chapters/04_transforms/instance.hpp"
+#include "chapters/02_spheres/sphere.hpp"
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/04_transforms/transform.hpp"
 #include "common/math/error.hpp"
@@ -257,6 +258,58 @@ TEST_CASE("a mesh outside of its bounding sphere is not looked at", "[04.6]") {
     mesh.bound = {{10, 0, 0}, 1};
     const std::vector<Instance> instances{instance_of(translation({0, 0, -4}), mesh)};
     CHECK_FALSE(closest_hit(instances, {{0, 0, 5}, {0, 0, -1}}, ahead).has_value());
+}
+
+TEST_CASE("a ray from 2^52 radii away that hits a triangle is not lost at the bounding sphere", "[04.6]") {
+    // Of a scene with one large instance and four tiny ones; a grid is not needed for it.
+    const Triangle face{{1, 0, 0}, {0, 1, 0}, {0x1.1a62633145c07p-54, 0, 1}};
+    const Ray local{{0x1.08abcbc723696p+52, 0x1.a7007ef0d49b2p+51, 0x1.6688f63c3cad2p+51},
+                    {-0x1.6023701b4dbbfp-29, -0x1.19659aba46e71p-29, -0x1.dd05a88c2201p-30}};
+    SharedMesh mesh;
+    mesh.triangles.shapes = {face};
+    mesh.bound = {Vec3(0), 1 + 0x1p-20};
+    const std::optional<Hit> hit = intersect(use_of(mesh), local, ahead);
+    REQUIRE(oracle::judge_triangle(face, local, 0).hit);
+    check_hit(hit, 0x1.80d3247c44e8cp+80, 0, 0);
+    CHECK(is_hit(use_of(mesh), local, ahead));
+}
+
+TEST_CASE("however far away a ray starts, the bounding sphere loses no hit, and the range is kept",
+          "[04.6]") {
+    Random random(4607);
+    int hits = 0, lost_by_roots = 0;
+    const int all = cases(50'000);
+    for (int i = 0; i < all; ++i) {
+        SharedMesh mesh = some_mesh(random);
+        const Triangle& face = mesh.triangles.shapes[random.index(8)];
+        const Real b = random.index(2) == 0 ? 1 : random.uniform(0, 1);
+        const Vec3 target = (1 - b) * face.a + b * face.b;
+        // Tight around the corner that is farthest out: it is what rays are often aimed at.
+        mesh.bound.radius = std::max({length(face.a), length(face.b), length(face.c)}) * (1 + 0x1p-20);
+        mesh.triangles.shapes = {face};
+        const Ray ray{target - random.magnitude(-1, 16) * random.direction(), Vec3(0)};
+        Ray local{ray.origin, random.magnitude(-20, 20) * normalize(target - ray.origin)};
+        if (i % 4 == 0) std::swap(local.direction.x, local.direction.y);  // beside it, mostly
+        Interval range = ahead;
+        const std::optional<Hit> ever = closest_hit(mesh.triangles.shapes, local, range);
+        if (ever && random.index(3) == 0) range.max = ever->t;
+        if (ever && random.index(3) == 0) range.min = std::nextafter(ever->t, -infinity);
+
+        const std::optional<Hit> expected = closest_hit(mesh.triangles.shapes, local, range);
+        const std::optional<Hit> actual = intersect(use_of(mesh), local, range);
+        INFO("case " << i << ": from " << show(local.origin) << " along " << show(local.direction));
+        REQUIRE(actual.has_value() == expected.has_value());
+        CHECK(is_hit(use_of(mesh), local, range) == expected.has_value());
+        if (!expected) continue;
+        ++hits;
+        CHECK(actual->t == expected->t);
+        const Roots roots = intersections(mesh.bound, local);
+        if (roots.count == 0 || roots.t1 <= range.min || roots.t0 > range.max) ++lost_by_roots;
+    }
+    CAPTURE(hits, lost_by_roots);
+    CHECK(hits > all / 8);
+    INFO("the roots of the sphere itself have to lose some, else the cases show nothing");
+    CHECK(lost_by_roots > all / 1000);
 }
 
 TEST_CASE("from inside of the bounding sphere the mesh is hit", "[04.6]") {
