@@ -38,9 +38,7 @@ bool is_empty(const Bounds& box) {
     return !(box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z);
 }
 
-Real longest_edge(const Bounds& box) {
-    return max_component(box.high - box.low);
-}
+Real longest_edge(const Bounds& box) { return max_component(box.high - box.low); }
 
 /// The cells that the box reaches into, up to two margins away.
 Block block_around(const GridShape& shape, const Bounds& box, Real margin) {
