@@ -44,6 +44,16 @@ struct GridOptions {
 /// Whether shape number i may be met in a box.
 using Overlaps = std::function<bool(std::uint32_t, const Bounds&)>;
 
+/// Whether the shape with these bounds may be met in the box: by its own `overlaps` where it has one, else by
+/// its bounds. Given.
+template <class Shape>
+bool may_be_in(const Shape& shape, const Bounds& bounds, const Bounds& box) {
+    if constexpr (requires { overlaps(shape, box); })
+        return overlaps(shape, box);
+    else
+        return overlaps(bounds, box);
+}
+
 /// [09.5] The grid over shapes with these bounds.
 ///
 /// The margin is 2^-30 of the longest edge of the box around all, and 2^-44 of its greatest coordinate, times
@@ -60,8 +70,7 @@ using Overlaps = std::function<bool(std::uint32_t, const Bounds&)>;
 /// none.
 Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const GridOptions& options = {});
 
-/// The grid over these shapes, by their own `overlaps` where they have one, else by their bounds;
-/// `options.distortion` is worked out. Given.
+/// The grid over these shapes, by may_be_in; `options.distortion` is worked out. Given.
 template <class Shape>
 Grid build_grid(std::span<const Shape> shapes, GridOptions options = {}) {
     std::vector<Bounds> bounds;
@@ -71,13 +80,10 @@ Grid build_grid(std::span<const Shape> shapes, GridOptions options = {}) {
         if constexpr (requires { shape.transform; })
             options.distortion = std::max(options.distortion, distortion_of(shape.transform));
     }
-    const Overlaps may_be_in = [&](std::uint32_t i, const Bounds& box) {
-        if constexpr (requires { overlaps(shapes[i], box); })
-            return overlaps(shapes[i], box);
-        else
-            return overlaps(bounds[i], box);
+    const Overlaps overlap = [&](std::uint32_t i, const Bounds& box) {
+        return may_be_in(shapes[i], bounds[i], box);
     };
-    return build_grid(bounds, may_be_in, options);
+    return build_grid(bounds, overlap, options);
 }
 
 template <class Shape>

@@ -4,6 +4,7 @@
 #include "common/evidence/agreement.hpp"
 #include "common/image/compare.hpp"
 #include "common/image/file.hpp"
+#include "common/math/counted.hpp"
 #include "common/math/input_error.hpp"
 #include "common/scene/parse.hpp"
 #include "common/terminal/console.hpp"
@@ -79,7 +80,7 @@ ChapterResult narrowed(const Request& request, const Chapter& chapter, ChapterRe
 void print_chapter(const Chapter& chapter, const ChapterResult& result) {
     fmt::print("{}  {} of {}\n",
                paint(fmt::format("Chapter {}: {}", chapter.number, chapter.title), Tone::Bold),
-               count(result, State::Passed), counted(static_cast<long long>(result.steps.size()), "step"));
+               count(result, State::Passed), counted(result.steps.size(), "step"));
     if (!result.build_error.empty()) {
         fmt::print("  {} It does not build:\n      {}\n", paint("✗", Tone::Bad), result.build_error);
         return;

@@ -1,6 +1,7 @@
 // `course explain`: what a scene needs, what was left out and why, and which chapters draw it.
 #include "common/render/explain.hpp"
 #include "common/commands/commands.hpp"
+#include "common/math/counted.hpp"
 #include "common/math/printable.hpp"
 #include "common/pictures/reasons_json.hpp"
 #include "common/pictures/scene_file.hpp"
@@ -58,7 +59,7 @@ int run_explain(const ExplainCommand& command) {
     print("Kept", explanation.kept);
     print("Left out", explanation.left_out);
     print_chapters(explanation.chapters);
-    fmt::print("\nin {} of memory\n", counted(static_cast<long long>(explanation.bytes), "byte"));
+    fmt::print("\nin {} of memory\n", counted(explanation.bytes, "byte"));
     return 0;
 }
 

@@ -1,6 +1,7 @@
 // `course references --random`: random scenes, by POV-Ray and by us.
 #include "common/evidence/random_references.hpp"
 #include "common/commands/commands.hpp"
+#include "common/math/counted.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/json_text.hpp"
 
@@ -60,9 +61,8 @@ int run_random_references(const RandomReferencesCommand& command, const Project&
                 fmt::print("{} {}\n",
                            relative(project, directory / fmt::format("{}.scene", command.first + i)),
                            paint("differs: " + findings[i].why, Tone::Bad));
-        fmt::print("{}: {} equal, {} refused, {} differ\n",
-                   counted(static_cast<long long>(findings.size()), "random scene"), counts.equal,
-                   counts.refused, counts.differ);
+        fmt::print("{}: {} equal, {} refused, {} differ\n", counted(findings.size(), "random scene"),
+                   counts.equal, counts.refused, counts.differ);
     }
     return counts.differ > 0 || counts.refused > counts.equal ? 1 : 0;
 }

@@ -1,6 +1,7 @@
 // `course references`: what POV-Ray makes of the reference scenes now, and what of it has changed.
 #include "common/evidence/references.hpp"
 #include "common/commands/commands.hpp"
+#include "common/math/counted.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/json_text.hpp"
 
@@ -55,8 +56,7 @@ std::string describe(const ReferenceFinding& finding) {
     if (finding.picture == Kept::Missing) parts.push_back("picture missing");
     if (finding.picture == Kept::Changed)
         parts.push_back(fmt::format("picture changed in {} by up to {:.0f}/65535",
-                                    counted(static_cast<long long>(finding.changed_pixels), "pixel"),
-                                    finding.greatest));
+                                    counted(finding.changed_pixels, "pixel"), finding.greatest));
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -3,6 +3,7 @@
 #include "common/commands/commands.hpp"
 #include "common/image/file.hpp"
 #include "common/image/in_terminal.hpp"
+#include "common/math/counted.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
 #include "common/pictures/reasons_json.hpp"
@@ -175,7 +176,7 @@ int run_render(const RenderCommand& command) {
     if (command.preview) show(result.image, scene.encoding);
     if (!command.quiet)
         say("{}  {} × {}, {}{}, {}; {}", output.string(), scene.width, scene.height, sampling_of(result),
-            counted(static_cast<long long>(all_rays(result.rays)), "ray"), duration(result.seconds),
+            counted(all_rays(result.rays), "ray"), duration(result.seconds),
             linked ? fmt::format("your code for {}, solutions for the rest", linked)
                    : std::string("solutions for all chapters"));
     return 0;

@@ -1,5 +1,6 @@
 // `course`: the chapters, how far they are, and the one next action.
 #include "common/commands/commands.hpp"
+#include "common/math/counted.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/json_text.hpp"
 #include "common/workbook/result_text.hpp"

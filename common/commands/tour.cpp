@@ -2,6 +2,7 @@
 #include "common/evidence/tour.hpp"
 #include "common/commands/commands.hpp"
 #include "common/image/whole_file.hpp"
+#include "common/math/counted.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
 #include "common/terminal/console.hpp"
@@ -126,8 +127,7 @@ int run_tour(const TourCommand& command, const Project& project) {
         print_json(tour, counts, page);
     } else if (!command.quiet) {
         print_table(tour);
-        fmt::print("{} compared, {}; the page is {}\n",
-                   counted(static_cast<long long>(counts.compared), "picture"),
+        fmt::print("{} compared, {}; the page is {}\n", counted(counts.compared, "picture"),
                    counts.failed == 0 ? paint("all equal", Tone::Good)
                                       : paint(fmt::format("{} failed", counts.failed), Tone::Bad),
                    printable(relative(project, page)));

@@ -1,6 +1,7 @@
 // Right variants, which the tests must accept.
 #include "common/evidence/self_test.hpp"
 #include "common/image/whole_file.hpp"
+#include "common/math/counted.hpp"
 #include "common/terminal/console.hpp"
 #include "common/workbook/check.hpp"
 #include "common/workbook/mistake.hpp"

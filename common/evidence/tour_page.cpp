@@ -1,8 +1,9 @@
 // The tour's page: what the templates pages/tour*.mustache show of its stops.
 #include "common/evidence/tour.hpp"
 #include "common/image/whole_file.hpp"
-#include "common/terminal/page.hpp"
+#include "common/math/counted.hpp"
 #include "common/terminal/console.hpp"
+#include "common/terminal/page.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -82,7 +83,7 @@ std::string tour_page(const std::vector<TourPart>& tour) {
     const TourCount counts = count(tour);
     return page_from("common/evidence/pages/tour.mustache",
                      {{"title", "A tour of the ray tracing course"},
-                      {"compared", counted(static_cast<long long>(counts.compared), "picture")},
+                      {"compared", counted(counts.compared, "picture")},
                       {"outcome", counts.failed == 0 ? "all equal" : fmt::format("{} failed", counts.failed)},
                       {"parts", parts}});
 }

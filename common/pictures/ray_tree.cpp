@@ -6,7 +6,6 @@
 #include "common/render/compile.hpp"
 #include "common/render/integrators.hpp"
 #include "common/render/trace.hpp"
-#include "common/world/shapes.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,15 +18,6 @@ namespace rt {
 using nlohmann::ordered_json;
 
 namespace {
-
-// What a shape of a file is called: as in a world, if it stands there as it is.
-template <class Shape>
-std::string_view shape_name(const Shape&) {
-    return words<Shape>.one;
-}
-std::string_view shape_name(const TriangleObject&) { return words<Triangle>.one; }
-std::string_view shape_name(const PolygonObject&) { return words<Polygon>.one; }
-std::string_view shape_name(const MeshObject&) { return "mesh"; }
 
 std::string_view kind_name(RayKind kind) {
     if (kind == RayKind::Reflection) return "reflection";
@@ -65,7 +55,7 @@ ordered_json to_json(const Scene& scene, const World& world, const TraceRecord& 
                          {"hit", record.hit.has_value()}};
     if (record.hit) {
         const Object& object = scene.objects[object_of(world, record.hit->primitive)];
-        json["shape"] = std::visit([](const auto& shape) { return shape_name(shape); }, object.shape);
+        json["shape"] = words_of(object.shape).name;
         json["line"] = object.place.line;
         json["primitive"] = record.hit->primitive;
         json["t"] = to_json(record.hit->t);

@@ -29,7 +29,7 @@ std::string transform_of(const Scene& scene, const Object& object) {
 
 /// Shape, transform and texture, in this order, because checkers are solid in world space.
 std::string textured(const Scene& scene, const Object& object, const std::string& texture) {
-    return beginning(scene, object) + transform_of(scene, object) + " texture { " + texture + " }";
+    return open_statement(scene, object) + transform_of(scene, object) + " texture { " + texture + " }";
 }
 
 std::string material_name(const Object& object) { return fmt::format("Material{}", object.material); }

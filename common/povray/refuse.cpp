@@ -97,7 +97,7 @@ void refuse_material(const Scene& scene, const Object& object) {
 }
 
 void refuse_glass_shape(const Scene& scene, const Object& object) {
-    if (!has_inside(object))
+    if (!words_of(object.shape).has_inside)
         refuse(scene, object, "a transparent object without an inside; put its faces into one `mesh`");
     const auto* shown = std::get_if<MeshObject>(&object.shape);
     if (may_bounce(scene) && shown && !scene.meshes[shown->mesh].normals.empty())

@@ -1,5 +1,5 @@
-// One section a shape: the beginning of its statement, its box and its scaling; and where it is not as most
-// shapes are, texture coordinates, lengths and inside. To add a shape, add a section.
+// One section a shape: its statement, its box and its scaling; and where it is not as most shapes are,
+// texture coordinates, lengths and inside. To add a shape, add a section.
 #include "common/povray/shapes.hpp"
 
 #include "common/povray/mesh.hpp"
@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 
 #include <cmath>
+#include <type_traits>
 
 namespace rt::povray {
 namespace {
@@ -22,13 +23,13 @@ void extend(Box& box, const Mat4& m, const Vec3& p) {
 
 // Sphere ----------------------------------------------------------------------------------------------------
 
-std::string beginning(const Scene&, const Sphere& sphere) {
+std::string open_statement(const Scene&, const Sphere& sphere) {
     return fmt::format("sphere {{ {}, {}", triple(sphere.center), number(sphere.radius));
 }
 
 /// Texture coordinates belong to the object, so they move with it.
 std::string with_uv(const Scene& scene, const Sphere& sphere, const std::string& transform) {
-    return fmt::format("{} texture {{ SphereUv scale {} translate {} }}{} }}", beginning(scene, sphere),
+    return fmt::format("{} texture {{ SphereUv scale {} translate {} }}{} }}", open_statement(scene, sphere),
                        number(sphere.radius), triple(sphere.center), transform);
 }
 
@@ -55,7 +56,7 @@ bool contains(const Sphere& sphere, const Vec3& p) { return glm::length(p - sphe
 
 // Plane -----------------------------------------------------------------------------------------------------
 
-std::string beginning(const Scene&, const Plane& plane) {
+std::string open_statement(const Scene&, const Plane& plane) {
     const Vec3 n = unit_along(plane.normal);
     return fmt::format("plane {{ {}, {}", triple(n), number(glm::dot(n, plane.point)));
 }
@@ -68,12 +69,10 @@ void scale(Scene&, Plane& plane, Real factor) { plane.point *= factor; }
 
 bool contains(const Plane& plane, const Vec3& p) { return glm::dot(plane.normal, p - plane.point) < 0; }
 
-bool is_endless(const Scene&, const Plane&) { return true; }
-
 // Triangle --------------------------------------------------------------------------------------------------
 
 /// Only meshes have texture coordinates in POV-Ray, so for those a triangle becomes a mesh of one.
-std::string beginning(const Scene& scene, const TriangleObject& triangle) {
+std::string open_statement(const Scene& scene, const TriangleObject& triangle) {
     const bool uv = row_of(scene.integrator).uvs;
     std::string text = fmt::format("{}{}triangle {{ ", uv ? "mesh { " : "", triangle.smooth ? "smooth_" : "");
     for (std::size_t i = 0; i < 3; ++i) {
@@ -89,7 +88,7 @@ std::string beginning(const Scene& scene, const TriangleObject& triangle) {
 }
 
 std::string with_uv(const Scene& scene, const TriangleObject& triangle, const std::string& transform) {
-    return beginning(scene, triangle) + transform + " texture { MeshUv } }";
+    return open_statement(scene, triangle) + transform + " texture { MeshUv } }";
 }
 
 Box box_of(const Scene& scene, const TriangleObject& triangle, const Mat4& m) {
@@ -115,11 +114,9 @@ void scale(Scene& scene, TriangleObject& triangle, Real factor) {
         triangle.smooth ? scale_smooth_vertex(scene, i, factor) : scale_vertex(scene, i, factor);
 }
 
-bool has_inside(const TriangleObject&) { return false; }
-
 // Polygon ---------------------------------------------------------------------------------------------------
 
-std::string beginning(const Scene& scene, const PolygonObject& polygon) {
+std::string open_statement(const Scene& scene, const PolygonObject& polygon) {
     std::string text = fmt::format("polygon {{ {}", polygon.vertex.size() + 1);
     for (const std::uint32_t i : polygon.vertex) text += ", " + triple(scene.vertices[i]);
     return text + ", " + triple(scene.vertices[polygon.vertex.front()]);
@@ -135,16 +132,14 @@ void scale(Scene& scene, PolygonObject& polygon, Real factor) {
     for (std::uint32_t& i : polygon.vertex) scale_vertex(scene, i, factor);
 }
 
-bool has_inside(const PolygonObject&) { return false; }
-
 // Mesh ------------------------------------------------------------------------------------------------------
 
-std::string beginning(const Scene&, const MeshObject& shown) {
+std::string open_statement(const Scene&, const MeshObject& shown) {
     return fmt::format("object {{ Mesh{}", shown.mesh);
 }
 
 std::string with_uv(const Scene& scene, const MeshObject& shown, const std::string& transform) {
-    return beginning(scene, shown) + transform + " texture { MeshUv } }";
+    return open_statement(scene, shown) + transform + " texture { MeshUv } }";
 }
 
 Box box_of(const Scene& scene, const MeshObject& shown, const Mat4& m) {
@@ -166,7 +161,7 @@ bool is_endless(const Scene& scene, const MeshObject& shown) { return !is_closed
 
 template <class Shape>
 std::string with_uv(const Scene& scene, const Shape& shape, const std::string& transform) {
-    return beginning(scene, shape) + transform + " texture { NoUv } }";
+    return open_statement(scene, shape) + transform + " texture { NoUv } }";
 }
 
 template <class Shape>
@@ -181,58 +176,77 @@ Real own_size(const Scene& scene, const Shape& shape) {
 }
 
 template <class Shape>
-bool has_inside(const Shape&) {
-    return true;
-}
-
-template <class Shape>
 bool contains(const Shape&, const Vec3&) {
     return false;
 }
 
 template <class Shape>
-bool is_endless(const Scene&, const Shape&) {
-    return false;
+bool is_endless(const Scene& scene, const Shape& shape) {
+    const Box box = box_of(scene, shape, Mat4(1));
+    return max_component(box.high - box.low) == infinity;
+}
+
+/// Whether the shape has a section.
+template <class Shape>
+constexpr bool has_section() {
+    constexpr bool is_whole = requires(Scene & scene, Shape & shape, const Mat4& m) {
+        open_statement(scene, shape);
+        box_of(scene, shape, m);
+        scale(scene, shape, Real(2));
+    };
+    static_assert(is_whole,
+                  "this shape's section in common/povray/shapes.cpp is missing, or lacks one of "
+                  "open_statement, box_of and scale");
+    return is_whole;
+}
+
+/// What `ask` says of the object's shape.
+template <class Answer, class SomeObject, class Ask>
+Answer of_shape(SomeObject& object, const Ask& ask) {
+    return std::visit(
+        [&]<class Shape>(Shape& shape) {
+            if constexpr (has_section<std::remove_const_t<Shape>>())
+                return ask(shape);
+            else
+                return Answer();
+        },
+        object.shape);
 }
 
 }  // namespace
 
 // Any of them -----------------------------------------------------------------------------------------------
 
-std::string beginning(const Scene& scene, const Object& object) {
-    return std::visit([&](const auto& s) { return beginning(scene, s); }, object.shape);
+std::string open_statement(const Scene& scene, const Object& object) {
+    return of_shape<std::string>(object, [&](const auto& s) { return open_statement(scene, s); });
 }
 
 std::string with_uv(const Scene& scene, const Object& object, const std::string& transform) {
-    return std::visit([&](const auto& s) { return with_uv(scene, s, transform); }, object.shape);
+    return of_shape<std::string>(object, [&](const auto& s) { return with_uv(scene, s, transform); });
 }
 
 Box box_of(const Scene& scene, const Object& object, const Mat4& m) {
-    return std::visit([&](const auto& s) { return box_of(scene, s, m); }, object.shape);
+    return of_shape<Box>(object, [&](const auto& s) { return box_of(scene, s, m); });
 }
 
 Real least_length_of(const Scene& scene, const Object& object, const Mat4& m) {
-    return std::visit([&](const auto& s) { return least_length_of(scene, s, m); }, object.shape);
+    return of_shape<Real>(object, [&](const auto& s) { return least_length_of(scene, s, m); });
 }
 
 Real own_size(const Scene& scene, const Object& object) {
-    return std::visit([&](const auto& s) { return own_size(scene, s); }, object.shape);
+    return of_shape<Real>(object, [&](const auto& s) { return own_size(scene, s); });
 }
 
 void scale(Scene& scene, Object& object, Real factor) {
-    std::visit([&](auto& s) { scale(scene, s, factor); }, object.shape);
-}
-
-bool has_inside(const Object& object) {
-    return std::visit([](const auto& s) { return has_inside(s); }, object.shape);
+    of_shape<void>(object, [&](auto& s) { scale(scene, s, factor); });
 }
 
 bool contains(const Object& object, const Vec3& p) {
-    return std::visit([&](const auto& s) { return contains(s, p); }, object.shape);
+    return of_shape<bool>(object, [&](const auto& s) { return contains(s, p); });
 }
 
 bool is_endless(const Scene& scene, const Object& object) {
-    return std::visit([&](const auto& s) { return is_endless(scene, s); }, object.shape);
+    return of_shape<bool>(object, [&](const auto& s) { return is_endless(scene, s); });
 }
 
 }  // namespace rt::povray

@@ -14,13 +14,13 @@ struct Box {
     Vec3 high{-infinity};
 };
 
-/// The beginning of its statement: `sphere { <0, 0, 0>, 1`.
-std::string beginning(const Scene& scene, const Object& object);
+/// Its statement, still open for what else is said of the object: `sphere { <0, 0, 0>, 1`.
+std::string open_statement(const Scene& scene, const Object& object);
 
 /// The whole statement with texture coordinates as colours; `transform` is a text, too.
 std::string with_uv(const Scene& scene, const Object& object, const std::string& transform);
 
-/// The box of the shape after `m`; infinite for a plane.
+/// The box of the shape after `m`; infinite for a shape without an end.
 Box box_of(const Scene& scene, const Object& object, const Mat4& m);
 
 /// The least length that is to be told from nothing after `m`; 0 where there is none.
@@ -33,12 +33,11 @@ Real own_size(const Scene& scene, const Object& object);
 /// themselves (scaling.cpp).
 void scale(Scene& scene, Object& object, Real factor);
 
-/// Whether the shape has an inside of its own, and whether `p`, in its own space, is there for POV-Ray, whose
-/// meshes have none unless they are told of one.
-bool has_inside(const Object& object);
+/// Whether `p`, in the shape's own space, is inside of it for POV-Ray, whose meshes have no inside unless
+/// they are told of one.
 bool contains(const Object& object, const Vec3& p);
 
-/// Whether a ray inside may go on for ever: it is no closed body.
+/// Whether a ray inside may go on for ever: the box is infinite, or a mesh not closed.
 bool is_endless(const Scene& scene, const Object& object);
 
 }  // namespace rt::povray

@@ -288,7 +288,7 @@ void add_accelerators(const Scene& scene, World& world) {
         std::optional<AnyGroup> apart = std::visit(
             [&]<class Shape>(Group<Shape>& group) -> std::optional<AnyGroup> {
                 // What has no end is in no box.
-                if constexpr (requires(const Shape& shape) { bounds_of(shape); })
+                if constexpr (has_bounds<Shape>())
                     if (builder.wants(group)) return builder.accelerate_group(group);
                 return std::nullopt;
             },

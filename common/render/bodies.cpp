@@ -37,6 +37,7 @@ struct Side {
     friend auto operator<=>(const Side&, const Side&) = default;
 };
 
+/// The corners of a face by which it meets others; none where it meets none, and of what has an inside.
 std::vector<Vec3> corners_of(const Scene& scene, const Object& object) {
     std::vector<Vec3> corners;
     if (const auto* triangle = std::get_if<TriangleObject>(&object.shape))
@@ -100,9 +101,7 @@ std::uint32_t first_of(std::vector<std::uint32_t>& of, std::uint32_t object) {
 Bodies bodies_of(const Scene& scene, bool refraction) {
     Bodies bodies;
     const auto is_transparent_face = [&](const Object& object) {
-        return scene.materials[object.material].transmission != Vec3(0) &&
-               (std::holds_alternative<TriangleObject>(object.shape) ||
-                std::holds_alternative<PolygonObject>(object.shape));
+        return scene.materials[object.material].transmission != Vec3(0) && !words_of(object.shape).has_inside;
     };
     if (std::none_of(scene.objects.begin(), scene.objects.end(), is_transparent_face)) return bodies;
     std::vector<std::uint32_t>& of = bodies.of;

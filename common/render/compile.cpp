@@ -99,18 +99,24 @@ void derive_needs(const Scene& scene, World& world) {
     needs.uvs = integrator.uvs;
 }
 
+/// How often a line can cross the surface of a shape, at most.
+template <class Shape>
+Real crossings_of(const Shape&) {
+    return words<Shape>.crossings;
+}
+Real crossings_of(const Instance& instance) {
+    return static_cast<Real>(instance.shape.mesh->triangles.shapes.size());
+}
+
 /// Refuses what could make light so strong that its number ends. A factor above 1 may be met once a bounce,
 /// and a filter above 1 at every surface of its material.
-void check_growth(const Scene& scene, const World& world) {
+void check_growth_of_light(const Scene& scene, const World& world) {
     std::vector<Real> surfaces(world.materials.size(), 0);
     if (world.needs.colored_shadows)
-        for (const Primitive& primitive : world.primitives) {
-            const auto* instances = std::get_if<Group<Instance>>(&world.groups[primitive.group]);
+        for (const Primitive& primitive : world.primitives)
             surfaces[primitive.material] +=
-                instances ? static_cast<Real>(
-                                instances->shapes[primitive.index].shape.mesh->triangles.shapes.size())
-                          : 2;
-        }
+                std::visit([&](const auto& group) { return crossings_of(group.shapes[primitive.index]); },
+                           world.groups[primitive.group]);
     const Real bounces = world.needs.reflection || world.needs.refraction ? world.max_depth : 0;
     for (const Object& object : scene.objects) {
         const Material& m = world.materials[object.material];
@@ -161,7 +167,7 @@ World compile(const Scene& scene) {
     compile_materials(scene, world);
     derive_needs(scene, world);
     add_primitives(scene, world);
-    check_growth(scene, world);
+    check_growth_of_light(scene, world);
     add_accelerators(scene, world);
     if (world.needs.refraction) world.eye_inside = objects_around_eye(world);
     return world;

@@ -1,6 +1,7 @@
 // What compiling a scene kept, what it left out, and why.
 #include "common/render/explain.hpp"
 
+#include "common/math/counted.hpp"
 #include "common/render/accelerate.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/groups.hpp"
@@ -13,36 +14,32 @@
 namespace rt {
 namespace {
 
-template <class T>
-std::size_t bytes(const std::vector<T>& v) {
-    return v.size() * sizeof(T);
+// The memory that a world takes.
+
+template <class... Element>
+std::size_t bytes_of(const std::vector<Element>&... lists) {
+    return (std::size_t(0) + ... + (lists.size() * sizeof(Element)));
 }
 template <class Shape>
-std::size_t bytes(const Group<Shape>& group) {
-    std::size_t sum = bytes(group.shapes) + bytes(group.primitive) +
-                      std::visit([](const auto& of) { return bytes_of(of); }, group.accelerator);
-    if constexpr (std::is_same_v<Shape, Triangle>) sum += bytes(group.normals) + bytes(group.uvs);
-    if constexpr (std::is_same_v<Shape, Polygon>)
-        for (const Polygon& polygon : group.shapes) sum += bytes(polygon.vertices);
+std::size_t bytes_of(const Group<Shape>& group) {
+    std::size_t sum = bytes_of(group.shapes, group.primitive) +
+                      std::visit([](const auto& of) { return bytes_of(of); }, group.accelerator) +
+                      std::apply([](const auto&... lists) { return bytes_of(lists...); }, group.lists());
+    for (const Shape& shape : group.shapes) sum += owned_bytes(shape);
     return sum;
 }
-std::size_t bytes(const World& world) {
-    std::size_t sum = bytes(world.primitives) + bytes(world.materials) + bytes(world.patterns) +
-                      bytes(world.point_lights) + bytes(world.directional_lights) + bytes(world.faces) +
-                      bytes(world.sheets);
+std::size_t bytes_of(const World& world) {
+    std::size_t sum = bytes_of(world.primitives, world.materials, world.patterns, world.point_lights,
+                               world.directional_lights, world.faces, world.sheets);
     for (const AnyGroup& any : world.groups)
-        sum += std::visit([](const auto& group) { return bytes(group); }, any);
-    for (const auto& mesh : world.meshes) sum += bytes(mesh->triangles);
+        sum += std::visit([](const auto& group) { return bytes_of(group); }, any);
+    for (const auto& mesh : world.meshes) sum += bytes_of(mesh->triangles);
     return sum;
 }
 
-std::string counted(std::size_t n, std::string_view one, std::string_view many) {
-    return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
-/// How many shapes a group has, in words.
+/// How many shapes of which kind a group has.
 template <class Shape>
-std::string counted(const Group<Shape>& group) {
+std::string shapes_in_words(const Group<Shape>& group) {
     const ShapeWords& w = words<Shape>;
     if constexpr (std::is_same_v<Shape, Triangle>) {
         const char* kind = group.normals.empty() ? "flat" : "smooth";
@@ -84,8 +81,7 @@ std::string why_no_accelerator(const Scene& scene, const World& world) {
     for (const AnyGroup& any : world.groups)
         std::visit(
             [&]<class Shape>(const Group<Shape>& group) {
-                if constexpr (requires(const Shape& shape) { bounds_of(shape); })
-                    most = std::max(most, group.shapes.size());
+                if constexpr (has_bounds<Shape>()) most = std::max(most, group.shapes.size());
             },
             any);
     for (const auto& mesh : world.meshes) most = std::max(most, mesh->triangles.shapes.size());
@@ -97,23 +93,23 @@ void explain_groups(const Scene& scene, const World& world, Explanation& explana
     for (const AnyGroup& any : world.groups)
         std::visit(
             [&](const auto& group) {
-                explanation.kept.push_back({counted(group), "in one array"});
+                explanation.kept.push_back({shapes_in_words(group), "in one array"});
                 explain_accelerator(scene, world, group, explanation);
             },
             any);
     for (const auto& mesh : world.meshes) {
         const std::size_t shapes = mesh->triangles.shapes.size();
         explanation.kept.push_back(
-            {counted(shapes, "shared triangle", "shared triangles"), "one mesh that several objects show"});
+            {counted(shapes, "shared triangle"), "one mesh that several objects show"});
         explain_accelerator(scene, world, mesh->triangles, explanation);
     }
 }
 
 void explain_lights(const Scene& scene, const World& world, Explanation& explanation) {
     const std::size_t kept = world.point_lights.size() + world.directional_lights.size();
-    if (kept > 0) explanation.kept.push_back({counted(kept, "light", "lights"), "they reach some material"});
+    if (kept > 0) explanation.kept.push_back({counted(kept, "light"), "they reach some material"});
     if (kept == scene.lights.size()) return;
-    explanation.left_out.push_back({counted(scene.lights.size() - kept, "light", "lights"),
+    explanation.left_out.push_back({counted(scene.lights.size() - kept, "light"),
                                     !row_of(scene.integrator).lights ? "the integrator asks no lights"
                                     : kept == 0 ? "no material reflects light, or all lights are black"
                                                 : "black"});
@@ -191,7 +187,7 @@ Explanation explain(const Scene& scene, const World& world) {
     explain_lights(scene, world, explanation);
     explain_features(scene, world, explanation);
     explanation.chapters = chapters_of(scene, world);
-    explanation.bytes = bytes(world);
+    explanation.bytes = bytes_of(world);
     return explanation;
 }
 

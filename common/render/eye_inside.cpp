@@ -1,7 +1,7 @@
 // Which transparent objects the eye is inside of.
 #include "common/render/eye_inside.hpp"
 
-#include "common/world/query.hpp"
+#include "common/render/groups.hpp"
 
 #include <algorithm>
 
@@ -9,18 +9,26 @@ namespace rt {
 
 namespace {
 
-/// Corrects what the line says of planes: inside is the side that the normal points away from, also where no
-/// line out of it crosses the plane. Those are left last.
-void decide_planes(const World& world, std::vector<Medium>& inside) {
+/// Inside is the side that the normal points away from.
+bool contains(const Plane& plane, const Vec3& point) {
+    return glm::dot(plane.normal, point - plane.point) < 0;
+}
+
+/// Corrects what the line says of shapes without an end: a line out of one need not cross its surface. Those
+/// are left last.
+void decide_endless(const World& world, std::vector<Medium>& inside) {
     for (const Primitive& primitive : world.primitives) {
-        const auto* planes = std::get_if<Group<Plane>>(&world.groups[primitive.group]);
-        if (!planes || world.materials[primitive.material].transmission == Vec3(0)) continue;
-        const Plane& plane = planes->shapes[primitive.index];
-        const bool behind = glm::dot(plane.normal, world.view.eye - plane.point) < 0;
-        const auto same =
-            std::ranges::find(inside, primitive.object, [](const Medium& m) { return m.object; });
-        if (behind && same == inside.end()) inside.push_back({primitive.object, primitive.material});
-        if (!behind && same != inside.end()) inside.erase(same);
+        if (world.materials[primitive.material].transmission == Vec3(0)) continue;
+        const auto decide = [&]<class Shape>(const Group<Shape>& group) {
+            if constexpr (words<Shape>.is_endless) {
+                const bool is_inside = contains(group.shapes[primitive.index], world.view.eye);
+                const auto same = std::ranges::find(inside, primitive.object, &Medium::object);
+                if (is_inside && same == inside.end())
+                    inside.push_back({primitive.object, primitive.material});
+                if (!is_inside && same != inside.end()) inside.erase(same);
+            }
+        };
+        std::visit(decide, world.groups[primitive.group]);
     }
 }
 
@@ -34,15 +42,14 @@ std::vector<Medium> objects_around_eye(const World& world) {
     for (std::optional<Hit> hit = closest_hit(world, ray, {}); hit; hit = next_hit(world, ray, *hit, {})) {
         const Primitive& primitive = world.primitives[hit->primitive];
         if (world.materials[primitive.material].transmission == Vec3(0)) continue;
-        const auto same = std::find_if(inside.begin(), inside.end(),
-                                       [&](const Medium& m) { return m.object == primitive.object; });
+        const auto same = std::ranges::find(inside, primitive.object, &Medium::object);
         // Crossed twice: the line entered and left again, so the eye is outside.
         if (same == inside.end())
             inside.push_back({primitive.object, primitive.material});
         else
             inside.erase(same);
     }
-    decide_planes(world, inside);
+    decide_endless(world, inside);
     std::reverse(inside.begin(), inside.end());
     return inside;
 }

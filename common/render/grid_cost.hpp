@@ -46,10 +46,7 @@ struct Boxed {
     }
 
     bool may_be_in(std::uint32_t i, const Bounds& box) const {
-        if constexpr (requires { overlaps(shapes[i], box); })
-            return overlaps(shapes[i], box);
-        else
-            return overlaps(bounds[i], box);
+        return rt::may_be_in(shapes[i], bounds[i], box);
     }
 };
 

@@ -16,6 +16,16 @@ std::span<const Shape> shapes_of(const Group<Shape>& group) {
     return {group.shapes.data(), group.primitive.size()};
 }
 
+/// Whether boxes can be around shapes of this kind.
+template <class Shape>
+constexpr bool has_bounds() {
+    constexpr bool is_given = requires(const Shape& shape) { bounds_of(shape); };
+    static_assert(is_given || words<Shape>.is_endless,
+                  "bounds_of is missing in this shape's contract; a shape without an end says in its words "
+                  "that it is_endless (common/world/shapes.hpp)");
+    return is_given && !words<Shape>.is_endless;
+}
+
 // What is asked of an accelerator is kept out of the functions that ask, which else would save registers for
 // it always.
 template <class Shape>

@@ -39,10 +39,8 @@ Group<Shape> set_apart(Group<Shape>& group, const std::vector<std::uint32_t>& ch
     };
     part(group.shapes, apart.shapes);
     part(group.primitive, apart.primitive);
-    if constexpr (std::is_same_v<Shape, Triangle>) {
-        part(group.normals, apart.normals);
-        part(group.uvs, apart.uvs);
-    }
+    std::apply([&](auto&... from) { std::apply([&](auto&... to) { (part(from, to), ...); }, apart.lists()); },
+               group.lists());
     return apart;
 }
 

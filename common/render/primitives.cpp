@@ -102,8 +102,8 @@ struct PrimitiveBuilder {
     /// Refuses a shape whose bounds are out of range.
     template <class Shape>
     void append_checked(const Shape& shape) {
-        if constexpr (requires { bounds_of(shape); }) {
-            const auto box = bounds_of(shape);
+        if constexpr (has_bounds<Shape>()) {
+            const Bounds box = bounds_of(shape);
             limits().check_place(box.low);
             limits().check_place(box.high);
             limits().check_size("sizes", size_of(box.high - box.low));

@@ -1,6 +1,7 @@
 // From a compiled world to a picture, on all cores.
 #include "common/render/render.hpp"
 
+#include "common/math/stopwatch.hpp"
 #include "common/render/integrators.hpp"
 #include "common/render/sampled.hpp"
 #include "common/render/scan_convert.hpp"
@@ -10,7 +11,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 
 namespace rt {
@@ -60,7 +60,7 @@ double cpu_clock() {
 
 RenderResult render(const World& world, const RenderOptions& options) {
     RenderResult result;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const double cpu_start = cpu_clock();
     const int threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
     // The control lets there be more threads than cores, the arena makes use of them.
@@ -75,7 +75,7 @@ RenderResult render(const World& world, const RenderOptions& options) {
         else
             result.image = trace_tiles(world, options, result.rays);
     });
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.seconds = watch.seconds();
     result.cpu_seconds = cpu_clock() - cpu_start;
     return result;
 }

@@ -1,23 +1,17 @@
 // Pictures of many samples a pixel: of a given number, or until time is over or the error small enough.
 #include "common/render/sampled.hpp"
 
+#include "common/math/stopwatch.hpp"
 #include "common/render/adaptive.hpp"
 #include "common/render/integrators.hpp"
 #include "common/render/passes.hpp"
 #include "common/render/picture_error.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace rt {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 constexpr int passes_wanted = 16;  ///< for a given time or error: so that one more is a small step
 constexpr int least_passes = 4;    ///< for a given error: two that agree by chance would end the picture
@@ -54,7 +48,7 @@ void make_given(SampledPicture& picture, const RenderOptions& options, RenderRes
 struct Passes {
     SampledPicture& picture;
     const RenderOptions& options;
-    Clock::time_point start = Clock::now();
+    Stopwatch watch{};
     std::uint64_t last = 0;           ///< number of the last pass
     double pass_seconds = 0;          ///< that one takes, about
     std::uint64_t rays_for_trial{0};  ///< camera rays of passes that were thrown away
@@ -76,9 +70,9 @@ struct Passes {
     Patterns try_out() {
         const Sampling& sampling = picture.world.sampling;
         Patterns patterns = patterns_of(sampling.adaptive ? 2 : 1);
-        const double pass_start = seconds_since(start);
+        const Stopwatch of_pass;
         make_another(patterns, {});
-        pass_seconds = seconds_since(start) - pass_start;
+        pass_seconds = of_pass.seconds();
         Real wanted = infinity;
         if (options.error) {
             make_another(patterns, {});
@@ -99,7 +93,7 @@ struct Passes {
         if (is_empty()) return false;
         if (options.seconds) {
             // A wide filter needs whole passes: the nearer end is taken.
-            const double rest = *options.seconds - seconds_since(start);
+            const double rest = *options.seconds - watch.seconds();
             if (rest <= 0 || (has_wide_filter(picture) && rest < pass_seconds / 2)) return true;
         }
         if (!options.error) return false;
@@ -115,12 +109,12 @@ struct Passes {
 void make_until(SampledPicture& picture, const RenderOptions& options, RenderResult& result) {
     Passes passes{picture, options};
     const Patterns patterns = passes.try_out();
-    const auto late = [&] { return options.seconds && seconds_since(passes.start) >= *options.seconds; };
+    const auto late = [&] { return options.seconds && passes.watch.seconds() >= *options.seconds; };
     while (!passes.enough()) {
         // Each pixel gets a colour, however late it is.
         passes.make_another(patterns,
                             passes.is_empty() ? std::function<bool()>() : std::function<bool()>(late));
-        if (options.seconds) report(options, seconds_since(passes.start) / *options.seconds);
+        if (options.seconds) report(options, passes.watch.seconds() / *options.seconds);
     }
     result.rms_error = error_of_passes(picture);
     result.samples_per_pixel = mean_count(picture.rays.camera - passes.rays_for_trial, picture);

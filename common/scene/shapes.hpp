@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -69,5 +70,31 @@ struct MeshObject {
 
 /// What an object of a file can be.
 using FileShape = std::variant<Sphere, Plane, TriangleObject, PolygonObject, MeshObject>;
+
+/// What everybody has to know of a shape of a file.
+struct FileShapeWords {
+    std::string_view name;  ///< for messages
+    /// Whether one alone has an inside, where glass bends and absorbs light: a ball has, a triangle has not.
+    bool has_inside;
+};
+
+/// The words of each shape; a shape that has none does not compile.
+template <class Shape>
+inline constexpr FileShapeWords file_words = Shape::there_are_no_file_words_for_this_shape;
+template <>
+inline constexpr FileShapeWords file_words<Sphere>{"sphere", true};
+template <>
+inline constexpr FileShapeWords file_words<Plane>{"plane", true};
+template <>
+inline constexpr FileShapeWords file_words<TriangleObject>{"triangle", false};
+template <>
+inline constexpr FileShapeWords file_words<PolygonObject>{"polygon", false};
+template <>
+inline constexpr FileShapeWords file_words<MeshObject>{"mesh", true};
+
+/// The words of an object's shape.
+inline const FileShapeWords& words_of(const FileShape& shape) {
+    return *std::visit([]<class Shape>(const Shape&) { return &file_words<Shape>; }, shape);
+}
 
 }  // namespace rt

@@ -1,6 +1,7 @@
 // What a person sees in the terminal: colour where it is wanted, and how far long work has come.
 #pragma once
 
+#include "common/math/counted.hpp"
 #include "common/math/stopwatch.hpp"
 
 #include <fmt/format.h>
@@ -74,8 +75,5 @@ std::string progress_line(std::string_view label, double fraction, double second
 
 /// A time as a person says it: "0.4 s", "12 s", "3 min 5 s".
 std::string duration(double seconds);
-
-/// `count` things in words: "1 test", "3 tests".
-std::string counted(long long count, std::string_view thing);
 
 }  // namespace rt

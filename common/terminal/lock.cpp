@@ -62,9 +62,9 @@ OwnDirectories& own_directories() {
 fs::path alive_file(const fs::path& directory) { return directory / "alive"; }
 
 /// Removes the directories of processes that have ended without doing it.
-void remove_stale(const fs::path& all) {
+void remove_abandoned_runs(const fs::path& runs) {
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(all, ignored)) {
+    for (const auto& entry : fs::directory_iterator(runs, ignored)) {
         const int file = open(alive_file(entry.path()).c_str(), O_RDWR | O_CLOEXEC);
         if (file < 0 || flock(file, LOCK_EX | LOCK_NB) == 0) fs::remove_all(entry.path(), ignored);
         if (file >= 0) close(file);
@@ -106,12 +106,12 @@ void close_inherited_lock() {
 fs::path own_directory(const Project& project) {
     auto& own = own_directories().of_build[project.build];
     if (!own.path.empty()) return own.path;
-    const fs::path all = project.build / "runs";
-    fs::create_directories(all);
-    const Lock lock(all.string() + ".lock", "looking for what killed processes left");
-    remove_stale(all);
-    std::string name = (all / std::string(6, 'X')).string();  // mkdtemp puts a name that is free there
-    if (!mkdtemp(name.data())) throw std::runtime_error(all.string() + ": no directory can be made there");
+    const fs::path runs = project.build / "runs";
+    fs::create_directories(runs);
+    const Lock lock(runs.string() + ".lock", "looking for what killed processes left");
+    remove_abandoned_runs(runs);
+    std::string name = (runs / std::string(6, 'X')).string();  // mkdtemp puts a name that is free there
+    if (!mkdtemp(name.data())) throw std::runtime_error(runs.string() + ": no directory can be made there");
     own.alive = open(alive_file(name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     try_to_lock(own.alive, LOCK_EX | LOCK_NB);
     return own.path = name;

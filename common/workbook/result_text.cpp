@@ -1,6 +1,7 @@
 // How results are shown: a line a step, one next action, and the same as JSON.
 #include "common/workbook/result_text.hpp"
 
+#include "common/math/counted.hpp"
 #include "common/terminal/console.hpp"
 #include "common/workbook/exercise.hpp"
 
@@ -37,8 +38,7 @@ std::string details(const StepResult& result) {
     for (std::size_t i = 0; i < std::min(lines.size(), most_detail_lines); ++i)
         text += "      " + (i == 0 ? paint(lines[i], Tone::Bad) : "  " + lines[i]) + "\n";
     if (lines.size() > most_detail_lines)
-        text += fmt::format("        … and {}\n",
-                            counted(static_cast<long long>(lines.size() - most_detail_lines), "more line"));
+        text += fmt::format("        … and {}\n", counted(lines.size() - most_detail_lines, "more line"));
     return text;
 }
 

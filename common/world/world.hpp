@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -30,15 +31,21 @@ struct TriangleUvs {
     Vec2 c{0};
 };
 
-/// What a group keeps of its shapes beside their numbers.
+/// What a group keeps of its shapes beside their numbers. `lists()` are all its lists; each is empty, or has
+/// one element a shape.
 template <class Shape>
-struct Extras {};
+struct Extras {
+    auto lists() const { return std::tie(); }
+};
 
-/// `normals` and `uvs` are empty where no triangle of the group has them, else one a triangle.
+/// `normals` and `uvs` are empty where no triangle of the group has them.
 template <>
 struct Extras<Triangle> {
     std::vector<TriangleNormals> normals;
     std::vector<TriangleUvs> uvs;
+
+    auto lists() { return std::tie(normals, uvs); }
+    auto lists() const { return std::tie(normals, uvs); }
 };
 
 /// The shapes of one kind, for each its place in the order of the file, and an accelerator over them.

@@ -1,5 +1,6 @@
 // What the terminal shows: times, counts and the progress line.
 #include "common/terminal/console.hpp"
+#include "common/math/counted.hpp"
 #include "tests/catch.hpp"
 
 using namespace rt;
@@ -18,6 +19,8 @@ TEST_CASE("one thing is singular") {
     CHECK(counted(1, "test") == "1 test");
     CHECK(counted(0, "test") == "0 tests");
     CHECK(counted(3, "test") == "3 tests");
+    CHECK(counted(1, "matrix", "matrices") == "1 matrix");
+    CHECK(counted(2, "matrix", "matrices") == "2 matrices");
 }
 
 TEST_CASE("the progress line says how much is done and how long the rest takes") {

@@ -63,4 +63,27 @@ same "an accelerator" "integrator normals\naccelerator boxes\n$balls" "integrato
 same "an integrator" "integrator silhouette\nsphere 0 0 0 1" "integrator flat\nambient 1 1 1\nsphere 0 0 0 1"
 same "a command" "brightness 2\nambient .25 .125 .5\nsphere 0 0 0 1" "ambient .5 .25 1\nsphere 0 0 0 1"
 grep -q 'rgb <0.5, 0.25, 1>' "for_povray.$((pictures - 2))" || fail "a command is expressed for POV-Ray"
+
+# The toy shape has no inside. As a sheet it may filter light, which is beyond POV-Ray; glass it cannot be.
+camera='version 1\nsize 40 30\ncamera 1 2 5  0 0 0  0 1 0  40\n'
+printf '%b' "${camera}transmission 1 .5 1\nball .5 0 0 1\n" >one.scene
+expect "a sheet" 0 "" build/bin/draw_toys one.scene one.pfm
+grep -q 'one.scene:5:1: .* without an inside' one.pfm.pov || fail "a sheet is refused by the export"
+printf '%b' "${camera}transmission 1 .5 1\nior 1.5\nball .5 0 0 1\n" >one.scene
+expect "glass without an inside" 2 'one.scene:6:1: .* without an inside' build/bin/draw_toys one.scene one.pfm
+
+# needs NAME FILE EDIT SOURCE MESSAGE: without a part of the toy shape the source does not compile, and the compiler
+# says what is missing.
+needs() {
+    cp -p "$2" before
+    sed -i "$3" "$2"
+    ! cmp -s before "$2" || fail "$1: nothing was taken out of $2"
+    expect "$1" 1 "$5" cmake --build build --target "CMakeFiles/common_$(cut -d / -f 2 <<<"$4").dir/$4.o"
+    cp -p before "$2"
+}
+needs "words of a file's shape" common/scene/shapes.hpp '/file_words<Ball>/d' common/scene/mesh_file.cpp \
+    'there_are_no_file_words_for_this_shape'
+needs "a section for POV-Ray" common/povray/shapes.cpp '/^Box box_of(const Scene& scene, const Ball/,/^}/d' \
+    common/povray/shapes.cpp 'lacks one of open_statement, box_of and scale'
+needs "bounds" chapters/97_toys/ball.hpp '/^Bounds bounds_of/d' common/render/primitives.cpp 'bounds_of is missing'
 finish

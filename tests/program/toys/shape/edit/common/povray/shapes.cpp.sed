@@ -1,7 +1,7 @@
 /^\/\/ Plane ---/i\
 // Ball\
 \
-std::string beginning(const Scene\&, const Ball\& ball) {\
+std::string open_statement(const Scene\&, const Ball\& ball) {\
     return fmt::format("sphere {{ {}, {}", triple(ball.middle), number(ball.half_width));\
 }\
 \
