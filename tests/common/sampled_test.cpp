@@ -116,8 +116,20 @@ TEST_CASE("samples of a pixel and passes have random numbers of their own", "[sa
     const Real one = std::sqrt(1. / 12);
     CHECK(noise_of("", options) == Approx(one).epsilon(0.05));
     CHECK(noise_of("spp 64\n", options) == Approx(one / 8).epsilon(0.05));
+    CHECK(noise_of("spp 64\nfilter tent\n", options) < one / 8);
     options.error = one / 16;
     CHECK(noise_of("sampler regular\n", options) < 1.2 * one / 16);
+}
+
+TEST_CASE("adaptive samples go where rays are noisy, though all pixels are alike", "[sampled]") {
+    RenderOptions options;
+    options.color = [](const World&, const Ray& ray, Stream& stream) {
+        return Vec3(ray.direction.x < 0 ? next_real(stream) : 0.5);
+    };
+    const RenderResult result = draw(ball + "spp 16\nadaptive on\n", options);
+    REQUIRE(result.counts.size() == 48 * 36);
+    // The noisy half is on the left. Its edge is seen some pixels further, too.
+    CHECK(result.counts[18 * 48 + 12] > 2 * result.counts[18 * 48 + 36]);
 }
 
 TEST_CASE("the seed chooses the random numbers, and nothing else does", "[sampled]") {
