@@ -81,7 +81,7 @@ needs() {
     expect "$1" 1 "$5" cmake --build build --target "CMakeFiles/common_$(cut -d / -f 2 <<<"$4").dir/$4.o"
     cp -p before "$2"
 }
-needs "words of a file's shape" common/scene/shapes.hpp '/file_words<Ball>/d' common/scene/mesh_file.cpp \
+needs "words of a file's shape" common/scene/shapes.hpp 's/file_words<Ball>/file_words<char>/' common/scene/mesh_file.cpp \
     'there_are_no_file_words_for_this_shape'
 needs "a section for POV-Ray" common/povray/shapes.cpp '/^Box box_of(const Scene& scene, const Ball/,/^}/d' \
     common/povray/shapes.cpp 'lacks one of open_statement, box_of and scale'
