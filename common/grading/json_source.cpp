@@ -35,39 +35,49 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 }
 
 /// The library reads JSON and forgets where each value stood. This goes through a text that is known to be
-/// JSON, so it needs no care for any other, and tells the place of every value and of every key.
+/// JSON, so it needs no care for any other, and tells the place of every value, and of keys that an object
+/// has twice.
 struct JsonWalk {
     std::string_view text;
-    std::function<void(const std::string&path, std::size_t offset)> value_at, key_at;
+    std::function<void(const std::string&path, std::size_t offset)> value_at, repeated_at;
     std::size_t at = 0;
     std::string path{};
 
     void skip_space() { at = std::min(text.find_first_not_of(" \t\r\n", at), text.size()); }
 
-    std::string string() {
+    /// The string that begins here, with its quotes, as it is written.
+    std::string_view string() {
         const std::size_t begin = at++;
         while (text[at] != '"') at += text[at] == '\\' ? 2 : 1;
         ++at;
-        return json::parse(text.substr(begin, at - begin)).get<std::string>();
+        return text.substr(begin, at - begin);
     }
 
-    void inside(const std::string& key) {
+    std::string key() {
+        const std::string_view written = string();
+        const bool plain = written.find('\\') == std::string_view::npos;
+        return plain ? std::string(written.substr(1, written.size() - 2))
+                     : json::parse(written).get<std::string>();
+    }
+
+    void inside(const std::string& name, std::size_t offset, bool repeated) {
         const std::size_t length = path.size();
-        path += (path.empty() ? "" : "/") + key;
+        path += (path.empty() ? "" : "/") + name;
+        if (repeated) repeated_at(path, offset);
         value();
         path.resize(length);
     }
 
     void members() {
+        std::set<std::string> keys;
         for (++at, skip_space(); text[at] != '}'; skip_space()) {
             if (text[at] == ',') ++at;
             skip_space();
             const std::size_t begin = at;
-            const std::string key = string();
-            key_at(path.empty() ? key : path + "/" + key, begin);
+            const auto [name, is_new] = keys.insert(key());
             skip_space();
             ++at;  // the colon
-            inside(key);
+            inside(*name, begin, !is_new);
         }
         ++at;
     }
@@ -76,7 +86,7 @@ struct JsonWalk {
         int index = 0;
         for (++at, skip_space(); text[at] != ']'; skip_space()) {
             if (text[at] == ',') ++at;
-            inside(std::to_string(index++));
+            inside(std::to_string(index++), at, false);
         }
         ++at;
     }
@@ -102,10 +112,9 @@ JsonWalk walk_through(const JsonSource& source) {
 }
 
 void refuse_repeated_keys(const JsonSource& source) {
-    std::set<std::string> seen;
     JsonWalk walk = walk_through(source);
-    walk.key_at = [&](const std::string& path, std::size_t offset) {
-        if (!seen.insert(path).second) fail_at(source, offset, path + ": is there twice");
+    walk.repeated_at = [&](const std::string& path, std::size_t offset) {
+        fail_at(source, offset, path + ": is there twice");
     };
     walk.value();
 }
@@ -182,9 +191,10 @@ std::vector<JsonValue> JsonValue::items() const {
 }
 
 void JsonValue::only(const std::vector<std::string_view>& keys) const {
-    for (const auto& [key, member] : members())
+    if (!value->is_object()) fail("expected an object");
+    for (const auto& [key, member] : value->items())
         if (std::find(keys.begin(), keys.end(), key) == keys.end())
-            member.fail(fmt::format("is not known; there are {}", fmt::join(keys, ", ")));
+            at(key).fail(fmt::format("is not known; there are {}", fmt::join(keys, ", ")));
 }
 
 std::string JsonValue::text() const {
