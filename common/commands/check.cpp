@@ -1,6 +1,7 @@
 // `course check`: verdicts a step, the first failing message, the chapter's picture, the one next action.
 #include "common/workbook/check.hpp"
 #include "common/commands/commands.hpp"
+#include "common/commands/mine.hpp"
 #include "common/evidence/agreement.hpp"
 #include "common/image/compare.hpp"
 #include "common/image/file.hpp"
@@ -12,6 +13,7 @@
 #include "common/terminal/lock.hpp"
 #include "common/terminal/process.hpp"
 #include "common/workbook/result_text.hpp"
+#include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -97,6 +99,18 @@ void print_chapter(const Chapter& chapter, const ChapterResult& result) {
     }
 }
 
+/// The student's chapters that draw a picture: those that passed, without being checked again now; in a
+/// handout, where nothing takes the place of the others, all.
+std::vector<const Chapter*> drawing_chapters(const Project& project, const std::vector<Chapter>& chapters) {
+    std::vector<const Chapter*> mine = pointers_to(chapters);
+    if (has_solutions(project))
+        std::erase_if(mine, [&](const Chapter* chapter) {
+            const KnownResult known = known_result(project, *chapter);
+            return !known.current || !all_passed(known.result);
+        });
+    return mine;
+}
+
 /// Renders the chapter's picture with the student's chapters and says where it is, if that is quick.
 void show_picture(const Project& project, const std::vector<const Chapter*>& mine, const Chapter& chapter) {
     if (chapter.scenes.empty()) return;
@@ -138,6 +152,7 @@ std::string next_after(const Project& project, const std::vector<Chapter>& chapt
 
 int run_check(const CheckCommand& command) {
     const Project project = this_project();
+    if (command.solutions) require_solutions(project, "./course check --solutions");
     const std::vector<Chapter> chapters = read_catalogue(project);
     if (chapters.empty()) throw InputError("there are no chapters to check");
     const Request request = requested(project, chapters, command);
@@ -161,13 +176,7 @@ int run_check(const CheckCommand& command) {
     if (command.solutions) return good ? 0 : 1;
 
     if (request.chapters.size() == 1 && all_passed(results.front())) {
-        // Chapters that passed earlier take part, without being checked again now.
-        std::vector<const Chapter*> mine;
-        for (const Chapter& chapter : chapters) {
-            const KnownResult known = known_result(project, chapter);
-            if (known.current && all_passed(known.result)) mine.push_back(&chapter);
-        }
-        show_picture(project, mine, *request.chapters.front());
+        show_picture(project, drawing_chapters(project, chapters), *request.chapters.front());
     }
     fmt::print("\n{} {}\n", paint("Next:", Tone::Bold), next_after(project, chapters, request, results));
     return good ? 0 : 1;

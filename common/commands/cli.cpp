@@ -6,6 +6,7 @@
 #include "common/terminal/console.hpp"
 #include "common/terminal/lock.hpp"
 #include "common/workbook/catalogue.hpp"
+#include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
 
@@ -66,7 +67,8 @@ std::string not_started(const NotImplemented& error) {
                            error.step, target.chapter->number, target.chapter->title, target.step->title,
                            target.chapter->number);
     } catch (const InputError&) {
-        return error.what();
+        if (has_solutions(this_project())) return error.what();
+        return fmt::format("this needs step {}, of a chapter that this handout does not have", error.step);
     }
 }
 
@@ -74,7 +76,7 @@ std::string not_started(const NotImplemented& error) {
 void hand_on_json(CommandLine& line) {
     line.check.json = line.render.json = line.compare.json = line.explain.json = line.trace.json =
         line.export_scene.json = line.tour.json = line.references.json = line.random.json = line.report.json =
-            line.json;
+            line.handout.json = line.json;
 }
 
 /// `write_error` becomes the reason why something could not be written to standard output, if that ended it.
@@ -83,6 +85,7 @@ int run_line(int argc, char** argv, int& write_error) {
         CommandLine line;
         describe_commands(line);
         line.render.arguments.assign(argv + 1, argv + argc);
+        line.explain.arguments = line.trace.arguments = line.render.arguments;
         try {
             line.app.parse(argc, argv);
         } catch (const CLI::CallForHelp&) {

@@ -4,6 +4,7 @@
 #include "common/scene/integrators.hpp"
 #include "common/scene/parse.hpp"
 #include "common/scene/text.hpp"
+#include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
 
@@ -51,6 +52,7 @@ void refuse_empty_values(CLI::App& app) {
             if (option->get_items_expected_max() > 0) option->check(not_empty);
 }
 
+constexpr const char* for_instructors = "For instructors";
 constexpr const char* for_maintainers = "For maintainers";
 constexpr const char* lenient_help =
     "skip with a warning what other programs may know of the scene: commands, values, arguments";
@@ -206,6 +208,20 @@ void add_test(CommandLine& line) {
     sub->add_flag("--quick", line.quick, "fewer random cases, one known mistake a step, no scripts");
 }
 
+void add_handout(CommandLine& line) {
+    CLI::App* sub = add_command(line, "handout", "a tree for students, without solutions",
+                                "handout ../handout --chapters 1-5 --class class.json",
+                                [&line] { return run_handout(line.handout); });
+    sub->add_option("directory", line.handout.directory, "what is made, or brought up to date")->required();
+    sub->add_option("--chapters", line.handout.chapters,
+                    "from the first to another, such as 1-5; default: all, or those that the handout has");
+    sub->add_option("--class", line.handout.about,
+                    "a JSON file with the names and dates for the README; default: none, or as before");
+    sub->add_flag("--update", line.handout.update,
+                  "bring what is given there up to date, and leave what a student has written");
+    sub->group(for_instructors);
+}
+
 void add_references(CommandLine& line) {
     CLI::App* sub = add_command(line, "references",
                                 "render the references with POV-Ray again and report any that changed",
@@ -251,6 +267,22 @@ void add_new(CommandLine& line) {
     sub->group(for_maintainers);
 }
 
+/// In a handout, what needs solutions is not offered, and says why.
+void leave_out_in_handout(CommandLine& line) {
+    if (has_solutions(this_project())) return;
+    for (const char* name :
+         {"solution", "tour", "report", "test", "handout", "references", "exercises", "figures", "new"}) {
+        CLI::App* command = line.app.get_subcommand(name);
+        command->group("");
+        command->callback([&line, name] {
+            line.action = [name] {
+                require_solutions(this_project(), std::string("./course ") + name);
+                return 0;
+            };
+        });
+    }
+}
+
 }  // namespace
 
 void describe_commands(CommandLine& line) {
@@ -261,10 +293,12 @@ void describe_commands(CommandLine& line) {
         "Example:\n  ./course check 02\n"
         "Each command has --help.");
     // In the order of --help.
-    for (void (*add)(CommandLine&) : {add_check, add_list, add_hint, add_reset, add_solution, add_render,
-                                      add_compare, add_explain, add_trace, add_export, add_tour, add_report,
-                                      add_test, add_references, add_exercises, add_figures, add_new})
+    for (void (*add)(CommandLine&) :
+         {add_check, add_list, add_hint, add_reset, add_solution, add_render, add_compare, add_explain,
+          add_trace, add_export, add_tour, add_report, add_test, add_handout, add_references, add_exercises,
+          add_figures, add_new})
         add(line);
+    leave_out_in_handout(line);
     refuse_empty_values(line.app);
 }
 

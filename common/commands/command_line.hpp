@@ -28,6 +28,7 @@ struct CommandLine {
     TourCommand tour;
     ReferencesCommand references;
     RandomReferencesCommand random;
+    HandoutCommand handout;
 };
 
 /// Describes all commands to `line.app`, which fills in `line` when it parses. `line` must stay where it is.

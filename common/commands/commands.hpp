@@ -81,6 +81,7 @@ struct ExplainCommand {
     std::filesystem::path scene;
     bool lenient = false;
     bool json = false;
+    std::vector<std::string> arguments;  ///< as of RenderCommand
 };
 
 /// `course explain SCENE`.
@@ -93,6 +94,7 @@ struct TraceCommand {
     std::string against;  ///< "solutions": the student's tree beside the solutions'; or empty
     bool lenient = false;
     bool json = false;
+    std::vector<std::string> arguments;  ///< as of RenderCommand
 };
 
 /// `course trace SCENE X Y`: the ray tree of one pixel; 1 if the compared trees differ.
@@ -167,6 +169,17 @@ int run_exercises(bool make, bool json);
 /// `course figures [NN]`: 1 if a figure differs from the one that its program draws; `make` writes it
 /// instead.
 int run_figures(const std::string& chapter, bool make, bool json);
+
+struct HandoutCommand {
+    std::filesystem::path directory;
+    std::string chapters;         ///< "1-5"; empty: all, or in an update those that the handout has
+    std::filesystem::path about;  ///< the class: its names and dates; empty: none, or in an update as before
+    bool update = false;          ///< an existing handout, or a student's copy of one
+    bool json = false;
+};
+
+/// `course handout DIR`: a tree for students (common/grading/handout.hpp).
+int run_handout(const HandoutCommand& command);
 
 /// `course new NN_name`: makes a new chapter's column.
 int run_new(const std::string& name, bool json);

@@ -1,6 +1,7 @@
 // `course explain`: what a scene needs, what was left out and why, and which chapters draw it.
 #include "common/render/explain.hpp"
 #include "common/commands/commands.hpp"
+#include "common/commands/mine.hpp"
 #include "common/math/counted.hpp"
 #include "common/math/printable.hpp"
 #include "common/pictures/reasons_json.hpp"
@@ -45,7 +46,8 @@ void print_chapters(const std::vector<std::string>& numbers) {
 int run_explain(const ExplainCommand& command) {
     std::vector<std::string> warnings;
     const Scene scene = read_scene(command.scene, command.lenient, warnings);
-    for (const std::string& warning : warnings) say(warning);
+    become_mine_in_handout(command.arguments);
+    for (const std::string& warning : warnings) say(warning);  // not before: what it becomes says them, too
     const Explanation explanation = explain(scene, compile(scene));
     if (command.json) {
         const ordered_json object = {{"scene", command.scene.string()},

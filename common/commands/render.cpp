@@ -1,6 +1,7 @@
 // `course render`: a scene as a picture, and what it took.
 #include "common/render/render.hpp"
 #include "common/commands/commands.hpp"
+#include "common/commands/mine.hpp"
 #include "common/image/file.hpp"
 #include "common/image/in_terminal.hpp"
 #include "common/math/counted.hpp"
@@ -14,15 +15,14 @@
 #include "common/scene/suggest.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/json_text.hpp"
-#include "common/terminal/process.hpp"
 #include "common/workbook/check.hpp"
+#include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <limits>
 
 namespace rt {
@@ -71,23 +71,22 @@ fs::path output_of(const RenderCommand& command, const Scene& scene, std::vector
     return command.output;
 }
 
-/// Goes on as the program that is linked with the student's chapters, if there are any to use; else returns.
-void become_mine(const RenderCommand& command) {
+/// Goes on with the student's chapters, those that pass or all, if there are any to use; else returns. In a
+/// handout, where nothing takes the place of the others, these are all.
+void use_mine(const RenderCommand& command) {
     const Project project = this_project();
     const std::vector<Chapter> chapters = read_catalogue(project);
-    std::vector<const Chapter*> mine;
-    if (command.mine)
-        for (const Chapter& chapter : chapters) mine.push_back(&chapter);
-    else
-        mine = passing_chapters(project, chapters);
-    if (mine.empty()) return;
+    const bool all = command.mine || !has_solutions(project);
+    become_mine(project, all ? pointers_to(chapters) : passing_chapters(project, chapters),
+                command.arguments);
+}
 
-    const BuildResult build = build_mine(project, mine);
-    if (!build.ok) throw std::runtime_error("your chapters do not build: " + build.message);
-    std::vector<std::string> line{program(project, "course_mine").string()};
-    line.insert(line.end(), command.arguments.begin(), command.arguments.end());
-    replace_process(line, {{mine_variable, numbers_of(mine)}});
-    throw std::runtime_error(line.front() + " cannot be started");
+/// Whose code has drawn, for the line below a picture.
+std::string whose_code() {
+    const char* linked = linked_chapters();
+    if (!linked) return "solutions for all chapters";
+    return has_solutions(this_project()) ? fmt::format("your code for {}, solutions for the rest", linked)
+                                         : "your code";
 }
 
 std::uint64_t all_rays(const RayCounts& rays) {
@@ -158,8 +157,8 @@ int run_render(const RenderCommand& command) {
     require_writable(output);
     change(scene, command);
 
-    const char* linked = std::getenv(mine_variable);
-    if (!linked && !command.solutions) become_mine(command);
+    if (command.solutions) require_solutions(this_project(), "./course render --solutions");
+    if (!linked_chapters() && !command.solutions) use_mine(command);
     for (const std::string& warning : warnings) say(warning);  // not before: what it becomes says them, too
 
     const World world = compile(scene);
@@ -176,9 +175,7 @@ int run_render(const RenderCommand& command) {
     if (command.preview) show(result.image, scene.encoding);
     if (!command.quiet)
         say("{}  {} × {}, {}{}, {}; {}", output.string(), scene.width, scene.height, sampling_of(result),
-            counted(all_rays(result.rays), "ray"), duration(result.seconds),
-            linked ? fmt::format("your code for {}, solutions for the rest", linked)
-                   : std::string("solutions for all chapters"));
+            counted(all_rays(result.rays), "ray"), duration(result.seconds), whose_code());
     return 0;
 }
 

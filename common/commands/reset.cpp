@@ -5,6 +5,7 @@
 #include "common/terminal/console.hpp"
 #include "common/terminal/json_text.hpp"
 #include "common/terminal/lock.hpp"
+#include "common/workbook/backup.hpp"
 #include "common/workbook/functions.hpp"
 #include "common/workbook/results.hpp"
 
@@ -18,17 +19,6 @@ namespace rt {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Keeps a text as x.cpp.001.backup, or with the first number that is free, and returns that name. The backup
-/// is whole or not there. The memory's lock must be held, so that no other process takes the same number.
-fs::path keep_backup(const fs::path& file, const std::string& text) {
-    for (int number = 1;; ++number) {
-        const fs::path backup = fmt::format("{}.{:03}.backup", file.string(), number);
-        if (fs::exists(fs::symlink_status(backup))) continue;
-        write_file(backup, text);
-        return backup;
-    }
-}
 
 std::string pristine_or_explain(const Project& project, const Chapter& chapter, const std::string& file) {
     const auto text = pristine_text(project, chapter, file);

@@ -7,6 +7,7 @@
 #include "common/workbook/exercise.hpp"
 #include "common/workbook/functions.hpp"
 #include "common/workbook/results.hpp"
+#include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -72,13 +73,13 @@ bool has_passed(const Project& project, const Chapter& chapter, const Step& step
 
 int run_solution(const std::string& name, bool spoil, bool json) {
     const Project project = this_project();
+    require_solutions(project, "./course solution");
     const std::vector<Chapter> chapters = read_catalogue(project);
     const Target target = find_step(chapters, name);
     const Chapter& chapter = *target.chapter;
     const Step& step = *target.step;
 
     const fs::path solution = project.root / "solutions" / chapter.name / step.file;
-    if (!fs::exists(solution)) throw InputError("this tree has no solutions");
     if (!spoil && !has_passed(project, chapter, step)) {
         say("step {} has not passed yet, and finding it yourself is the fun of it. ./course hint {} helps "
             "on; ./course solution {} --spoil shows it all the same.",

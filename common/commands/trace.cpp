@@ -1,5 +1,6 @@
 // `course trace`: the ray tree of one pixel, and where a student's tree first differs from the solution's.
 #include "common/commands/commands.hpp"
+#include "common/commands/mine.hpp"
 #include "common/math/input_error.hpp"
 #include "common/pictures/ray_tree.hpp"
 #include "common/pictures/scene_file.hpp"
@@ -9,6 +10,7 @@
 #include "common/terminal/process.hpp"
 #include "common/workbook/catalogue.hpp"
 #include "common/workbook/check.hpp"
+#include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
 
@@ -26,9 +28,8 @@ ordered_json tree_of(const TraceCommand& command) {
 
 /// The tree that the student's chapters make of the same pixel, from a process of their own.
 ordered_json student_trace(const Project& project, const TraceCommand& command) {
-    std::vector<const Chapter*> mine;
     const std::vector<Chapter> chapters = read_catalogue(project);
-    for (const Chapter& chapter : chapters) mine.push_back(&chapter);
+    const std::vector<const Chapter*> mine = pointers_to(chapters);
     const BuildResult build = build_mine(project, mine);
     if (!build.ok) throw InputError("your chapters do not build: " + build.message);
     ProcessOptions options;
@@ -98,8 +99,10 @@ int run_trace(const TraceCommand& command) {
         if (command.against != "solutions")
             throw InputError(
                 fmt::format("--against: there is no '{}'; expected 'solutions'", command.against));
+        require_solutions(this_project(), "./course trace --against solutions");
         return run_against(command);
     }
+    become_mine_in_handout(command.arguments);
     const ordered_json tree = tree_of(command);
     if (command.json)
         fmt::print("{}\n", json_text(tree));

@@ -7,6 +7,7 @@
 #include "common/terminal/lock.hpp"
 #include "common/terminal/process.hpp"
 #include "common/workbook/exercise.hpp"
+#include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -89,6 +90,16 @@ std::string target_of(const Chapter& chapter, bool solutions) {
     return "check_" + chapter.number + (solutions ? "_solution" : "");
 }
 
+/// Why the student's code for a chapter cannot be built, or nothing. In a handout it stands on the student's
+/// code for earlier chapters.
+std::string what_is_missing(const Project& project, const Chapter& chapter) {
+    if (has_solutions(project)) return missing_message(project, chapter);
+    std::string message;
+    for (const Chapter& earlier : read_catalogue(project))
+        if (message.empty() && earlier.number <= chapter.number) message = missing_message(project, earlier);
+    return message;
+}
+
 }  // namespace
 
 BuildResult build_targets(const Project& project, const std::vector<std::string>& targets,
@@ -167,7 +178,7 @@ std::vector<ChapterResult> check_chapters(const Project& project, const std::vec
                                           bool solutions) {
     std::vector<std::string> targets, missing, sources;
     for (const Chapter* chapter : chapters) {
-        missing.push_back(solutions ? "" : missing_message(project, *chapter));
+        missing.push_back(solutions ? "" : what_is_missing(project, *chapter));
         sources.push_back(sources_fingerprint(project, *chapter));
         if (missing.back().empty()) targets.push_back(target_of(*chapter, solutions));
     }

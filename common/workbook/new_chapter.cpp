@@ -6,6 +6,7 @@
 #include "common/terminal/template.hpp"
 #include "common/workbook/catalogue.hpp"
 #include "common/workbook/exercise.hpp"
+#include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -90,8 +91,7 @@ std::vector<fs::path> make_chapter(const Project& project, const std::string& na
     if (!is_new_name(name))
         throw InputError(fmt::format(
             "'{}' is no name for a chapter; expected two digits and words, such as 10_area_lights", name));
-    if (!fs::is_directory(project.root / "solutions"))
-        throw InputError("this tree has no solutions, from which exercises are made");
+    require_solutions(project, "./course new");
     require_free(project, name);
 
     const std::string number = name.substr(0, 2), words = name.substr(3);

@@ -4,6 +4,7 @@
 #include "common/math/counted.hpp"
 #include "common/terminal/console.hpp"
 #include "common/workbook/exercise.hpp"
+#include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -44,9 +45,9 @@ std::string details(const StepResult& result) {
 
 std::string next_action(const Chapter& chapter, const ChapterResult& result) {
     const std::string check = "./course check " + chapter.number;
-    if (result.build_error.starts_with("chapters/" + chapter.name) &&
-        result.build_error.find(" is missing; ") != std::string::npos)
-        return "./course reset " + chapter.number;
+    // The file may be an earlier chapter's: in a handout nothing else takes its place.
+    if (const auto reset = result.build_error.find("./course reset "); reset != std::string::npos)
+        return result.build_error.substr(reset, std::string_view("./course reset NN").size());
     if (!result.build_error.empty()) return "mend the compile error, then " + check;
     for (const StepResult& step : result.steps)
         if (step.state == State::Failed)
@@ -70,11 +71,9 @@ std::string next_action(const Project& project, const std::vector<Chapter>& chap
         if (!results[i].current) return fmt::format("./course check {}", chapters[i].number);
         return next_action(chapters[i], results[i].result);
     }
-    const bool solutions = std::filesystem::exists(project.root / "solutions");
-    return solutions
-               ? "every step has passed. ./course solution shows how others are written, ./course tour all "
-                 "the pictures"
-               : "every step has passed: ./course tour shows all the pictures";
+    return has_solutions(project) ? "every step has passed. ./course solution shows how others are written, "
+                                    "./course tour all the pictures"
+                                  : "every step has passed: ./course render shows what they draw";
 }
 
 nlohmann::ordered_json results_json(const std::vector<Chapter>& chapters,

@@ -204,7 +204,7 @@ TEST_CASE("every perspective ray has length 1 and passes through its point of th
         const Real pixel = 2 * view.half_height / view.height;  // the edge of a pixel on the image plane
         const Real a = pixel * (x - view.width / 2.0), b = pixel * (view.height / 2.0 - y);
         const Ray ray = pixel_ray(view, x, y);
-        const auto& [u, v, w] = view.frame;
+        const auto [u, v, w] = view.frame;
         const Vec3 d = ray.direction;
         // In the frame, d is (a, b, -1) times some length: compare products, so that nothing is divided.
         // a and b are off by a few roundings of the picture's extent, from the difference with its middle.

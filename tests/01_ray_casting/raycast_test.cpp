@@ -154,11 +154,10 @@ TEST_CASE("each pixel has random numbers of its own, the same in any tile", "[01
         const std::vector<Vec3> colors = render_tile(world, tile, noise);
         REQUIRE(colors.size() == static_cast<std::size_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0)));
         std::size_t next = 0;
-        for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int y = tile.y0; y < tile.y1; ++y)
             for (int x = tile.x0; x < tile.x1; ++x) {
                 INFO("pixel (" << x << ", " << y << ")");
                 CHECK(colors[next++] == Vec3(x, y, 0));
             }
-        }
     }
 }

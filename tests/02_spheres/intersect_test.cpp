@@ -39,14 +39,14 @@ std::string describe(const Case& c) { return test::show(c.sphere) + "\n" + test:
 Real slack(const Case& c) { return gamma(12) * (length(c.ray.origin - c.sphere.center) + c.sphere.radius); }
 
 void check_roots(const Sphere& sphere, const Ray& ray, Real t0, Real t1) {
-    const Roots roots = intersections(sphere, ray);
+    const Roots actual = intersections(sphere, ray);
     INFO(describe({sphere, ray}));
     INFO("expected t0 = " << t0 << ", t1 = " << t1);
-    INFO("actual   " << roots);
-    CHECK(roots.count == (t0 == t1 ? 1 : 2));
+    INFO("actual   " << actual);
+    CHECK(actual.count == (t0 == t1 ? 1 : 2));
     const Real few_roundings = gamma(8) * std::max(std::abs(t0), std::abs(t1));
-    CHECK(test::near(roots.t0, t0, few_roundings));
-    CHECK(test::near(roots.t1, t1, few_roundings));
+    CHECK(test::near(actual.t0, t0, few_roundings));
+    CHECK(test::near(actual.t1, t1, few_roundings));
 }
 
 void check_hit(const Sphere& sphere, const Ray& ray, Interval range, Real t) {

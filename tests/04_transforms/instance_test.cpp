@@ -150,9 +150,9 @@ TEST_CASE("points lie on the ellipsoid and normals point outward, reflected or n
         // In the ellipsoid's own units a point is off by no more than the error that it claims.
         const Mat4& back = e.transform.to_local;
         const Vec3 local = transform_point(back, surface.point);
-        Vec3 reach(0);
-        for (int c = 0; c < 3; ++c) reach += abs(Vec3(back[c])) * surface.error[c];
-        CHECK(std::abs(length(local) - 1) <= dot(abs(local), reach));
+        Vec3 error(0);
+        for (int c = 0; c < 3; ++c) error += abs(Vec3(back[c])) * surface.error[c];
+        CHECK(std::abs(length(local) - 1) <= dot(abs(local), error));
         CHECK(std::abs(length(surface.normal) - 1) <= gamma(4));
         CHECK(dot(surface.normal, surface.point - Vec3(m[3])) > 0);
     }
@@ -169,7 +169,7 @@ TEST_CASE("a ray that starts outside of the error box does not meet the surface 
         const std::optional<Hit> hit = intersect(e, ray, ahead);
         if (!hit) continue;
         const Surface surface = surface_at(e, ray, *hit);
-        const Vec3& n = surface.normal;
+        const Vec3 n = surface.normal;
         const Real step = dot(abs(n), surface.error) * (1 + gamma(8));
         Vec3 direction = random.direction();
         // Grazing ones too.
@@ -446,7 +446,7 @@ TEST_CASE("a ray that starts outside of an instance's error box does not meet it
         const std::optional<Hit> hit = intersect(instance, ray, ahead);
         if (!hit) continue;
         const Surface surface = surface_at(instance, ray, *hit);
-        const Vec3& n = surface.normal;
+        const Vec3 n = surface.normal;
         const Real step = dot(abs(n), surface.error) * (1 + gamma(8));
         const Vec3 direction = random.direction();
         if (dot(direction, n) <= 1e-6) continue;

@@ -119,7 +119,7 @@ TEST_CASE("colour times divisor is the light's colour", "[05.1]") {
     for (int i = 0; i < cases(20'000); ++i) {
         const auto [light, point] = some_case(random);
         const LightSample sample = sample_light(light, point);
-        const Vec3& attenuation = light.attenuation;
+        const Vec3 attenuation = light.attenuation;
         const Real d = length(light.position - point);
         const Vec3 back = sample.color * (attenuation.x + attenuation.y * d + attenuation.z * d * d);
         INFO(show(light) << " at " << show(point) << " gives " << show(sample));

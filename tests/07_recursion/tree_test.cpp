@@ -72,7 +72,7 @@ struct Arrival {
 Arrival arrive(const World& world, const Branch& branch) {
     const auto hit = closest_hit(world, branch.ray, {0, infinity});
     REQUIRE(hit);
-    const Surface surface = surface_at(world, branch.ray, *hit);
+    const auto surface = surface_at(world, branch.ray, *hit);
     return {branch, *hit, surface, material_at(world, *hit, surface)};
 }
 Branches scatter_at(const World& world, const Ray& ray, Media media = {}, Vec3 weight = Vec3(1),

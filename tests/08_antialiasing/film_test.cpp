@@ -275,9 +275,10 @@ TEST_CASE("a film is what asking each pixel about each sample makes, to the bit"
         auto actual = film.begin();
         for (int y = area.y0; y < area.y1; ++y) {
             for (int x = area.x0; x < area.x1; ++x, ++actual) {
+                const Vec2 center(x + 0.5, y + 0.5);
                 FilmPixel expected;
-                for (const FilmSample& sample : samples) {
-                    const Real weight = filter_weight(filter, sample.at - Vec2(x + 0.5, y + 0.5));
+                for (const auto& sample : samples) {
+                    const Real weight = filter_weight(filter, sample.at - center);
                     if (weight != 0) expected = add(expected, sample.color, sample.weight * weight);
                 }
                 if (same(*actual, expected)) continue;

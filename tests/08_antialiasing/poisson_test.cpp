@@ -119,16 +119,16 @@ TEST_CASE("the distance shrinks only when 32·count darts in a row were refused"
     const auto distance_of = [](int count, Random random) {
         std::vector<Vec2> samples;
         Real distance = 0.7 * densest(count);
-        for (int refused = 0; static_cast<int>(samples.size()) < count;) {
-            const Vec2 dart = random_point(random);
+        for (int rejected = 0; static_cast<int>(samples.size()) < count;) {
+            const Vec2 thrown = random_point(random);
             const bool near = std::any_of(samples.begin(), samples.end(), [&](const Vec2& sample) {
-                return torus_distance(sample, dart) < distance;
+                return torus_distance(sample, thrown) < distance;
             });
-            if (!near) samples.push_back(dart);
-            refused = near ? refused + 1 : 0;
-            if (refused == 32 * count) {
+            if (!near) samples.push_back(thrown);
+            rejected = near ? rejected + 1 : 0;
+            if (rejected == 32 * count) {
                 distance *= 0.95;
-                refused = 0;
+                rejected = 0;
             }
         }
         return distance;

@@ -378,7 +378,7 @@ TEST_CASE("trapezoid weights sum to 1, and make the mean of a slope and of a sad
         CHECK(samples.front().at == Vec2(0));
         CHECK(test::near(samples.back().at, Vec2(1), 2 * u));
         Real slope = 0, saddle = 0;
-        for (const PixelSample& sample : samples) {
+        for (const auto& sample : samples) {
             slope += sample.weight * sample.at.x;
             saddle += sample.weight * sample.at.x * sample.at.y;
         }
@@ -404,7 +404,7 @@ TEST_CASE("centered samples are regular ones and one more in the middle, of equa
             if (!regular) REQUIRE(regular);
         }
         CHECK(samples.back().at == Vec2(0.5));
-        for (const PixelSample& sample : samples) {
+        for (const auto& sample : samples) {
             const bool equal = std::abs(sample.weight * static_cast<Real>(squares + 1) - 1) <= 2 * u;
             if (!equal) REQUIRE(equal);
         }

@@ -34,14 +34,14 @@ Real margin_for(const Bounds& around) {
 
 /// What is left of a polygon on one side of a plane of the box.
 std::vector<Vec3> cut(const std::vector<Vec3>& polygon, int axis, Real at, Real sign) {
-    std::vector<Vec3> left;
+    std::vector<Vec3> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Vec3 p = polygon[i], q = polygon[(i + 1) % polygon.size()];
         const Real hp = sign * (p[axis] - at), hq = sign * (q[axis] - at);
-        if (hp <= 0) left.push_back(p);
-        if ((hp < 0 && hq > 0) || (hp > 0 && hq < 0)) left.push_back(p + hp / (hp - hq) * (q - p));
+        if (hp <= 0) kept.push_back(p);
+        if ((hp < 0 && hq > 0) || (hp > 0 && hq < 0)) kept.push_back(p + hp / (hp - hq) * (q - p));
     }
-    return left;
+    return kept;
 }
 
 /// Whether the triangle has points in the box, by cutting it down to the box (Sutherland & Hodgman 1974).

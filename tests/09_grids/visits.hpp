@@ -22,9 +22,9 @@ inline std::string show_all(const std::vector<Cells>& cells) {
 }
 
 inline std::vector<Cells> cells_of(const std::vector<CellVisit>& visits) {
-    std::vector<Cells> cells;
-    for (const CellVisit& visit : visits) cells.push_back(visit.cell);
-    return cells;
+    std::vector<Cells> visited;
+    for (const CellVisit& visit : visits) visited.push_back(visit.cell);
+    return visited;
 }
 
 /// Where two lists of cells differ first, for a person; empty if they do not.

@@ -77,5 +77,5 @@ TEST_CASE("names that are none, or another chapter's, are refused and make nothi
 
     fs::remove_all(project.root / "solutions");
     CHECK_THROWS_WITH(make_chapter(project, "10_lights"),
-                      "this tree has no solutions, from which exercises are made");
+                      "this is a handout, which has no solutions; ./course new needs them");
 }

@@ -53,7 +53,7 @@ bool is_command(const std::string& text) {
 std::vector<fs::path> texts() {
     const fs::path root = test::repository();
     std::vector<fs::path> files{root / "README.md", root / "CONTRIBUTING.md",
-                                root / "common/scene/README.md"};
+                                root / "common/grading/README.md", root / "common/scene/README.md"};
     for (const auto& entry : fs::directory_iterator(root / "chapters"))
         if (fs::exists(entry.path() / "README.md")) files.push_back(entry.path() / "README.md");
     std::ranges::sort(files);
@@ -137,6 +137,7 @@ constexpr Elsewhere elsewhere[] = {
     {"reset", "tests/program/scratch_course.sh", "./course reset 99.1"},
     {"solution", "tests/program/scratch_course.sh", "./course solution 99.1"},
     {"new", "tests/program/scratch_course.sh", "./course new 97_fresh"},
+    {"handout", "tests/program/handout.sh", "handout \"$handout\" --chapters 1-5 --class"},
 };
 
 /// Of these only what they name is looked at here: that there is such a chapter, step or option.
@@ -149,6 +150,7 @@ void check_elsewhere(const Command& command, const Elsewhere& where, const fs::p
     for (std::size_t i = 2; i < command.words.size(); ++i) {
         const std::string& word = command.words[i];
         if (command.words[i - 1].starts_with("--") && word.find('-') != 0) continue;  // an option's value
+        if (word.find('/') != std::string::npos) continue;                            // a path
         if (word.starts_with("--"))
             CHECK(help.output.find(word) != std::string::npos);
         else if (word.find('.') != std::string::npos)

@@ -360,7 +360,7 @@ Real some_sign(Random& random) { return random.index(2) == 0 ? 1 : -1; }
 
 GridQuestion some_question(const GridScene& scene, Random& random) {
     const Bounds& box = scene.grid.shape.box;
-    const Vec3 edges = box.high - box.low;
+    const Vec3 edges(box.high - box.low);
     const Real edge = max_component(edges);
     const Vec3 target = somewhere(scene, random);
     Vec3 d(0);
@@ -556,8 +556,7 @@ std::optional<Interval> clip(const Bounds& box, const Ray& ray, Interval range) 
     const Vec3 near = glm::min(p, q), far = glm::max(p, q);
     range.min = std::max(range.min, std::max(near.x, std::max(near.y, near.z)));
     range.max = std::min(range.max, std::min(far.x, std::min(far.y, far.z)));
-    if (range.min > range.max) return std::nullopt;
-    return range;
+    return range.min > range.max ? std::nullopt : std::optional(range);
 }
 
 std::vector<CellVisit> cells_along(const GridShape& shape, const Ray& ray, Interval range) {
@@ -574,7 +573,8 @@ std::vector<CellVisit> cells_along(const GridShape& shape, const Ray& ray, Inter
         next[a] = (boundary - ray.origin[a]) / ray.direction[a];
     }
     std::vector<CellVisit> visits;
-    for (Real t = range.min;;) {
+    Real t = range.min;
+    for (;;) {
         const int a = next.x < next.y ? (next.x < next.z ? 0 : 2) : next.y < next.z ? 1 : 2;
         visits.push_back({cell, {t, std::min(next[a], range.max)}});
         if (!(next[a] <= range.max)) return visits;
@@ -587,20 +587,20 @@ std::vector<CellVisit> cells_along(const GridShape& shape, const Ray& ray, Inter
 
 std::optional<Hit> closest_hit(const Grid& grid, std::span<const Triangle> shapes, const Ray& ray,
                                Interval range) {
-    const std::optional<Interval> inside = rt::clip(grid.shape.box, ray, range);
-    if (!inside) return std::nullopt;
-    for (const CellVisit& visit : rt::cells_along(grid.shape, ray, *inside)) {
+    const std::optional<Interval> clipped = rt::clip(grid.shape.box, ray, range);
+    if (!clipped) return std::nullopt;
+    for (const CellVisit& visit : rt::cells_along(grid.shape, ray, *clipped)) {
         const Cells& c = visit.cell;
         const auto number =
             static_cast<std::size_t>((c.z * grid.shape.cells.y + c.y) * grid.shape.cells.x + c.x);
-        std::optional<Hit> nearest;
+        std::optional<Hit> first;
         for (std::uint32_t k = grid.first[number]; k < grid.first[number + 1]; ++k) {
             std::optional<Hit> hit = intersect(shapes[grid.items[k]], ray, range);
-            if (!hit || (nearest && hit->t >= nearest->t)) continue;
+            if (!hit || (first && hit->t >= first->t)) continue;
             hit->primitive = grid.items[k];
-            nearest = hit;
+            first = hit;
         }
-        if (nearest) return nearest;
+        if (first) return first;
     }
     return std::nullopt;
 }

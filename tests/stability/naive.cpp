@@ -9,29 +9,28 @@ namespace rt::naive {
 
 Roots solve_quadratic(Real a, Real h, Real c) {
     const Real b = 2 * h;
-    const Real discriminant = b * b - 4 * a * c;
-    if (discriminant < 0) return {};
-    const Real root = std::sqrt(discriminant);
-    return {discriminant > 0 ? 2 : 1, (-b - root) / (2 * a), (-b + root) / (2 * a)};
+    const Real d = b * b - 4 * a * c;
+    if (d < 0) return {};
+    const Real root = std::sqrt(d);
+    return {d > 0 ? 2 : 1, (-b - root) / (2 * a), (-b + root) / (2 * a)};
 }
 
 Roots intersections(const Sphere& sphere, const Ray& ray) {
-    const Vec3 f = ray.origin - sphere.center;
-    return solve_quadratic(dot(ray.direction, ray.direction), dot(f, ray.direction),
-                           dot(f, f) - sphere.radius * sphere.radius);
+    const Vec3 o = ray.origin - sphere.center;
+    return solve_quadratic(dot(ray.direction, ray.direction), dot(o, ray.direction),
+                           dot(o, o) - sphere.radius * sphere.radius);
 }
 
 std::optional<Hit> intersect(const Sphere& sphere, const Ray& ray, Interval range) {
-    const Roots roots = intersections(sphere, ray);
-    if (roots.count == 0) return std::nullopt;
-    for (const Real t : {roots.t0, roots.t1})
+    const Roots both = intersections(sphere, ray);
+    if (both.count == 0) return std::nullopt;
+    for (const Real t : {both.t0, both.t1})
         if (t > epsilon && contains(range, t)) return Hit{.t = t};
     return std::nullopt;
 }
 
 std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval range) {
-    const Vec3 to_b = triangle.b - triangle.a;
-    const Vec3 to_c = triangle.c - triangle.a;
+    const Vec3 to_b = triangle.b - triangle.a, to_c = triangle.c - triangle.a;
     const Vec3 p = cross(ray.direction, to_c);
     const Real determinant = dot(to_b, p);
     if (std::abs(determinant) < parallel) return std::nullopt;
@@ -49,16 +48,15 @@ std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval 
 }
 
 std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point) {
-    const Vec3 to_b = triangle.b - triangle.a;
-    const Vec3 to_c = triangle.c - triangle.a;
-    const Vec3 to_point = point - triangle.a;
+    const Vec3 to_b = triangle.b - triangle.a, to_c = triangle.c - triangle.a;
+    const Vec3 to_p = point - triangle.a;
     const Real bb = dot(to_b, to_b), bc = dot(to_b, to_c), cc = dot(to_c, to_c);
-    const Real pb = dot(to_point, to_b), pc = dot(to_point, to_c);
+    const Real pb = dot(to_p, to_b), pc = dot(to_p, to_c);
     const Real determinant = bb * cc - bc * bc;
     if (determinant == 0) return std::nullopt;
     const Real b = (cc * pb - bc * pc) / determinant;
     const Real c = (bb * pc - bc * pb) / determinant;
-    return Vec3(1 - b - c, b, c);
+    return Vec3{1 - b - c, b, c};
 }
 
 Vec3 unit_normal(const Triangle& triangle) {
@@ -68,15 +66,16 @@ Vec3 unit_normal(const Triangle& triangle) {
 
 std::optional<Hit> intersect(const Polygon& polygon, const Ray& ray, Interval range) {
     const Plane plane = supporting_plane(polygon.vertices);
-    const Real slope = dot(plane.normal, ray.direction);
-    if (slope == 0) return std::nullopt;
-    const Real t = dot(plane.normal, plane.point - ray.origin) / slope;
-    if (!contains(range, t)) return std::nullopt;
+    const Real denominator = dot(plane.normal, ray.direction);
+    if (denominator == 0) return std::nullopt;
+    const Real t = dot(plane.normal, plane.point - ray.origin) / denominator;
     const int axis = dominant_axis(plane.normal);
-    std::vector<Vec2> outline;
-    for (const Vec3& vertex : polygon.vertices) outline.push_back(project(vertex, axis));
-    if (!rt::point_in_polygon(outline, project(point_at(ray, t), axis))) return std::nullopt;
-    return Hit{.t = t};
+    const auto is_inside = [&] {
+        std::vector<Vec2> corners;
+        for (const Vec3& vertex : polygon.vertices) corners.push_back(project(vertex, axis));
+        return rt::point_in_polygon(corners, project(point_at(ray, t), axis));
+    };
+    return contains(range, t) && is_inside() ? std::optional(Hit{.t = t}) : std::nullopt;
 }
 
 bool point_in_polygon(std::span<const Vec2> polygon, const Vec2& point) {

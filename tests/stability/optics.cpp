@@ -297,9 +297,9 @@ std::optional<Vec3> bent(const Vec3& d, const Vec3& n, Real eta, Real cos_t) {
 }
 
 Real reflectance(Real cos_i, Real eta, Real cos_t) {
-    const Real parallel = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
-    const Real perpendicular = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
-    return (parallel * parallel + perpendicular * perpendicular) / 2;
+    const Real r_parallel = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+    const Real r_perpendicular = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+    return (r_parallel * r_parallel + r_perpendicular * r_perpendicular) / 2;
 }
 
 }  // namespace

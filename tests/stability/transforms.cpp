@@ -22,9 +22,9 @@ constexpr Real band = 8 * unit_roundoff;
 
 // Written out here, so that the families are the same whatever implementation is judged.
 
-Mat4 moved_by(const Vec3& by) {
+Mat4 moved_by(const Vec3& offset) {
     Mat4 m(1);
-    m[3] = Vec4(by, 1);
+    m[3] = Vec4(offset, 1);
     return m;
 }
 
@@ -44,7 +44,8 @@ Mat4 turned(Random& random) {
         k[static_cast<int>(random.index(3))] = 1;
     }
     const Real angle = plain ? radians(15 * static_cast<Real>(random.index(24))) : random.uniform(-pi, pi);
-    const Real c = std::cos(angle), s = std::sin(angle);
+    const Real c = std::cos(angle);
+    const Real s = std::sin(angle);
     Mat4 m(1);
     for (int i = 0; i < 3; ++i) {
         Vec3 e(0);

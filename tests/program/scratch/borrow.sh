@@ -11,7 +11,7 @@ compile() { exec ${BORROW_ELSE:+"$BORROW_ELSE"} "$@"; }
 [ -n "${LENDER:-}" ] || compile "$@"
 
 # The command as the lender would give it, without what only ninja wants.
-command="" output="" listing=""
+command="" output="" listing="" source=""
 words=("$@")
 for ((i = 0; i < $#; ++i)); do
     case ${words[i]} in
@@ -19,12 +19,28 @@ for ((i = 0; i < $#; ++i)); do
         -MT) i=$((i + 1)); continue ;;
         -MF) i=$((i + 1)); listing=${words[i]}; continue ;;
         -o) output=${words[i + 1]} ;;
+        -c) source=${words[i + 1]} ;;
     esac
     command+="${command:+ }${words[i]}"
 done
 command=${command//"$BORROWER/build"/$LENDER_BUILD}
 command=${command//"$BORROWER"/$LENDER}
-object=$LENDER_BUILD/$output
+object=$output lent_source=${source/#"$BORROWER"/$LENDER}
+
+# In a handout, the exercises as they were handed out are the lender's, and a student may have written a chapter as
+# its solution does.
+case $output in
+    */solution_*/.course/pristine/*) chapter=/.course/pristine/ lent_chapter=/chapters/ kind=solution lent_kind=exercise ;;
+    */exercise_*/chapters/*) chapter=/chapters/ lent_chapter=/solutions/ kind=exercise lent_kind=solution ;;
+    *) chapter="" ;;
+esac
+if [ -n "$chapter" ] && ! cmp -s "$source" "$lent_source"; then
+    command=${command//"$chapter"/$lent_chapter} object=${object//"$chapter"/$lent_chapter}
+    command=${command//"/${kind}_"//${lent_kind}_} object=${object//"/${kind}_"//${lent_kind}_}
+    lent_source=${lent_source//"$chapter"/$lent_chapter}
+    [ "$lent_kind" = exercise ] || command=${command/ -Wno-unused-parameter/}  # which changes no object
+fi
+object=$LENDER_BUILD/$object
 if [ -z "$output" ] || [ -z "$listing" ] || [ ! -f "$object" ]; then compile "$@"; fi
 grep -qxF -- "$command" "$LENT/commands" || compile "$@"
 
@@ -40,15 +56,17 @@ is_same() {  # is_same LENT OURS
     esac
 }
 made_of="$output:"
+lent_object=${object#"$LENDER_BUILD/"}
 while IFS= read -r file; do
     case $file in
+        "$lent_source") ours=$source ;;
         "$LENDER_BUILD"/*) ours=$BORROWER/build${file#"$LENDER_BUILD"} ;;
         *) ours=$BORROWER${file#"$LENDER"} ;;
     esac
     is_same "$file" "$ours" || compile "$@"
     ours=${ours//'$'/'$$'}
     made_of+=" ${ours// /\\ }"
-done < <(awk -v object="$output:" 'index($0, object) == 1 { on = 1; next } /^[^ ]/ { on = 0 } on && /^ / { print substr($0, 5) }' "$LENT/files")
+done < <(awk -v object="$lent_object:" 'index($0, object) == 1 { on = 1; next } /^[^ ]/ { on = 0 } on && /^ / { print substr($0, 5) }' "$LENT/files")
 [ "$made_of" != "$output:" ] || compile "$@"
 
 cp "$object" "$output" && printf '%s\n' "$made_of" >"$listing"

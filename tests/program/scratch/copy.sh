@@ -19,17 +19,11 @@ expect() {
     grep -qE -- "$pattern" <<<"$output" || fail "$name: no '$pattern'" "$output"
 }
 
-# go_to_copy DIRECTORY: makes a copy there and goes to it. What is the same as in the repository is not compiled
-# again: borrow.sh takes it from the repository's build.
-go_to_copy() {
+# lend_to DIRECTORY: what is built there and is the same as in the repository is not compiled again: borrow.sh takes it
+# from the repository's build.
+lend_to() {
     export LENDER=$COURSE_ROOT LENDER_BUILD=$COURSE_BUILD BORROWER=$1 LENT=$COURSE_BUILD/scratch/lent
-    rm -rf "$BORROWER"
-    mkdir -p "$BORROWER" "$LENT"
-    cd "$COURSE_ROOT" || exit
-    # With their times, by which files are seen to be the same.
-    cp -pR CMakeLists.txt course common chapters solutions references tests "$BORROWER"
-    # There are hundreds, CMake has a program for each, and nobody builds them here.
-    rm -rf "$BORROWER"/tests/*/mistakes "$BORROWER"/tests/*/variants
+    mkdir -p "$LENT"
     sed -n 's/^ *"command": "\(.*\)",$/\1/p' "$COURSE_BUILD/compile_commands.json" >"$LENT/commands"
     # What each object depends on in the repository: a line that begins with its name, then a line for each file.
     ninja -C "$COURSE_BUILD" -t deps | awk -v root="$COURSE_ROOT/" -v build="$COURSE_BUILD/" '
@@ -42,6 +36,18 @@ go_to_copy() {
         }' >"$LENT/files"
     export BORROW_ELSE=${CMAKE_CXX_COMPILER_LAUNCHER:-}
     export CMAKE_CXX_COMPILER_LAUNCHER=$COURSE_ROOT/tests/program/scratch/borrow.sh NO_COLOR=1
+}
+
+# go_to_copy DIRECTORY: makes a copy there and goes to it.
+go_to_copy() {
+    lend_to "$1"
+    rm -rf "$BORROWER"
+    mkdir -p "$BORROWER"
+    cd "$COURSE_ROOT" || exit
+    # With their times, by which files are seen to be the same.
+    cp -pR CMakeLists.txt course common chapters solutions references tests "$BORROWER"
+    # There are hundreds, CMake has a program for each, and nobody builds them here.
+    rm -rf "$BORROWER"/tests/*/mistakes "$BORROWER"/tests/*/variants
     cd "$BORROWER" || exit
 }
 
