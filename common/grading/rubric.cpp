@@ -78,8 +78,9 @@ void read_dates(const JsonValue& root, const std::vector<Chapter>& chapters, Rub
         root.at(root.has("due") ? "due" : "late").fail("needs 'due' and 'late' both");
     if (root.has("due")) {
         for (const auto& [number, value] : root.at("due").members()) {
-            const bool known = std::any_of(chapters.begin(), chapters.end(),
-                                           [&](const Chapter& chapter) { return chapter.number == number; });
+            const bool known = std::any_of(
+                chapters.begin(), chapters.end(),
+                [&, &wanted = number](const Chapter& chapter) { return chapter.number == wanted; });
             if (!known) value.fail("there is no such chapter");
             rubric.due[number] = moment_from(value);
         }
