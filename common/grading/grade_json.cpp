@@ -199,17 +199,18 @@ std::vector<Grade> merged(const std::vector<GradesFile>& files) {
 
     std::vector<Grade> grades;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const auto& [grade, file] = all[i];
+        const Grade& grade = *all[i].first;
+        const std::string& file = *all[i].second;
         const auto refuse = [&](const std::string& why) {
             throw InputError(
-                printable(fmt::format("{}: the submission '{}' {}", *file, grade->submission, why)));
+                printable(fmt::format("{}: the submission '{}' {}", file, grade.submission, why)));
         };
-        if (i > 0 && all[i - 1].first->submission == grade->submission)
-            refuse(*all[i - 1].second == *file ? "is there twice" : "is also in " + *all[i - 1].second);
-        if (const std::string other = other_class(*all[0].first, *grade); !other.empty())
+        if (i > 0 && all[i - 1].first->submission == grade.submission)
+            refuse(*all[i - 1].second == file ? "is there twice" : "is also in " + *all[i - 1].second);
+        if (const std::string other = other_class(*all[0].first, grade); !other.empty())
             refuse(fmt::format("was marked with {} than '{}' in {}", other, all[0].first->submission,
                                *all[0].second));
-        grades.push_back(*grade);
+        grades.push_back(grade);
     }
     return grades;
 }
