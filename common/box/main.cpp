@@ -2,6 +2,7 @@
 // student must not see, and no descriptors but those that it was given.
 #include "common/box/supervise.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -10,6 +11,7 @@
 /// Standard input is a socket: a request comes, a reply goes; its end ends the box.
 int main() {
     using namespace rt;
+    umask(022);  // whatever the grader's is
     std::string message;
     if (!receive_message(STDIN_FILENO, message)) {
         std::fputs("course-box is started by ./course grade\n", stderr);

@@ -63,7 +63,7 @@ public:
           output_(limits_.output),
           errors_(limits_.output) {}
 
-    Verdict run() {
+    Ending run() {
         child_ = launch({request_, identity_, stage_, output_, errors_, failure_, status_});
         for (Capture* capture : captures()) capture->close_writer();
         const std::optional<End> ended = watch();
@@ -158,14 +158,14 @@ private:
     Capture failure_{message_limit}, status_{message_limit};
     Members members_;
     Stopwatch stopwatch_;
-    Verdict verdict_;
+    Ending verdict_;
     pid_t child_ = -1;
     int child_status_ = 0;
 };
 
 }  // namespace
 
-Verdict supervise(const Request& request, int control) {
+Ending supervise(const Request& request, int control) {
     // Orphans of the box come here: they are seen, ended, waited for, and their time is counted.
     if (prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) != 0)
         throw std::system_error(errno, std::generic_category(), "subreaper");

@@ -23,7 +23,7 @@ Level tried(Isolation isolation) {
     box.isolation = isolation;
     box.mounts = compiler_mounts();
     try {
-        const Verdict verdict = run_in(box, {"/usr/bin/true"});
+        const Ending verdict = run_in(box, {"/usr/bin/true"});
         if (verdict.end == End::Exited && verdict.number == 0) return {isolation, true, ""};
         return {isolation, false, "a program that does nothing " + in_words(verdict, box.limits)};
     } catch (const InputError& refusal) {
@@ -42,7 +42,7 @@ bool has_mounts() {
     box.isolation = Isolation::User;
     box.mounts = compiler_mounts();
     box.limits.files = 1;
-    const Verdict verdict = run_in(box, {"/usr/bin/touch", "a", "b", "c"});
+    const Ending verdict = run_in(box, {"/usr/bin/touch", "a", "b", "c"});
     return verdict.end == End::Exited && verdict.number != 0;
 }
 

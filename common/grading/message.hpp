@@ -17,7 +17,7 @@ struct Request {
 
 struct Reply {
     std::string refusal;  ///< why the program could not be started, one line; empty if it was
-    Verdict verdict;
+    Ending verdict;
 };
 
 std::string to_message(const Request& request);

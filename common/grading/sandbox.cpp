@@ -118,7 +118,7 @@ Boxed start(const Box& box, const std::vector<std::string>& command, std::span<c
     return boxed;
 }
 
-Verdict run_in(const Box& box, const std::vector<std::string>& command, std::span<const int> descriptors) {
+Ending run_in(const Box& box, const std::vector<std::string>& command, std::span<const int> descriptors) {
     return start(box, command, descriptors).wait();
 }
 
@@ -135,7 +135,7 @@ bool Boxed::ended() const {
 
 void Boxed::stop() { shutdown(control_, SHUT_WR); }
 
-Verdict Boxed::wait() {
+Ending Boxed::wait() {
     std::string message;
     if (!receive_message(control_, message))
         throw std::runtime_error("the supervisor of a box ended without a word");
@@ -144,7 +144,7 @@ Verdict Boxed::wait() {
     return reply.verdict;
 }
 
-std::string in_words(const Verdict& verdict, const Limits& limits) {
+std::string in_words(const Ending& verdict, const Limits& limits) {
     const auto mebibytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); };
     switch (verdict.end) {
         case End::Exited:

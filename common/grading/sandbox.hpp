@@ -1,5 +1,6 @@
-// A box: another program is run in it with narrow limits, sees what it is given and nothing else, and leaves
-// nothing behind. The program course-box (common/box) looks after each one.
+// A sandbox, called a box in what follows: another program is run in it with narrow limits, sees what it is
+// given and nothing else, and leaves nothing behind. The program course-box (common/box) looks after each
+// one.
 #pragma once
 
 #include <sys/types.h>
@@ -78,7 +79,7 @@ enum class End {
     Stopped    ///< by the grader
 };
 
-struct Verdict {
+struct Ending {
     End end = End::Exited;
     int number = 0;  ///< the status for Exited, the signal for Signal
     double wall_seconds = 0;
@@ -89,7 +90,7 @@ struct Verdict {
 };
 
 /// "took more than 2 s of processor time"; a phrase that follows "the program".
-std::string in_words(const Verdict& verdict, const Limits& limits);
+std::string in_words(const Ending& verdict, const Limits& limits);
 
 /// A program in its box. It is ended with all its processes when this goes, and when this process ends,
 /// however that happens. May be handed to another thread; one thread at a time may use it.
@@ -110,7 +111,7 @@ public:
 
     /// Waits for the end, once. Throws InputError with one line if the program could not be started: the
     /// level is not possible here, a mount is missing or closed, there is no such program.
-    Verdict wait();
+    Ending wait();
 
 private:
     pid_t supervisor_;
@@ -122,7 +123,6 @@ private:
 Boxed start(const Box& box, const std::vector<std::string>& command, std::span<const int> descriptors = {});
 
 /// Starts it and waits for the end.
-Verdict run_in(const Box& box, const std::vector<std::string>& command,
-               std::span<const int> descriptors = {});
+Ending run_in(const Box& box, const std::vector<std::string>& command, std::span<const int> descriptors = {});
 
 }  // namespace rt

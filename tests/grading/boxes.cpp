@@ -60,14 +60,19 @@ std::string content(const fs::path& path) {
     return text;
 }
 
+/// As common/box/identity.cpp chooses them.
+bool is_of_box(uid_t uid) {
+    return uid == plain_uid || (uid >= 60'600 && uid < 61'100) ||
+           (uid >= 2'000'000'000 && uid < 2'000'001'000);
+}
+
 /// What everybody may write to, as far as attacks and boxes would.
 void add_shared_files(std::vector<std::string>& state) {
     for (const char* directory : {"/tmp", "/var/tmp", "/dev/shm", "/"})
         for (const auto& entry : fs::directory_iterator(directory)) {
             const std::string name = entry.path().filename().string();
             struct stat status {};
-            const bool ours = lstat(entry.path().c_str(), &status) == 0 && status.st_uid >= plain_uid &&
-                              status.st_uid != 65534;
+            const bool ours = lstat(entry.path().c_str(), &status) == 0 && is_of_box(status.st_uid);
             if (ours || name.starts_with("box-") || name == "sandbox_attack")
                 state.push_back(entry.path().string());
         }
@@ -115,7 +120,7 @@ bool become(const Way& way) {
            setresuid(plain_uid, plain_uid, plain_uid) == 0;
 }
 
-Verdict as(const Way& way, const std::function<Verdict()>& action) {
+Ending as(const Way& way, const std::function<Ending()>& action) {
     if (way.root || geteuid() != 0) return action();
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
@@ -143,11 +148,11 @@ Verdict as(const Way& way, const std::function<Verdict()>& action) {
     return reply.verdict;
 }
 
-Verdict run(const Way& way, const Box& box, const std::vector<std::string>& command) {
+Ending run(const Way& way, const Box& box, const std::vector<std::string>& command) {
     return as(way, [&] { return run_in(box, command); });
 }
 
-Verdict run_attack(const Way& way, const std::string& name, const std::vector<std::string>& arguments) {
+Ending run_attack(const Way& way, const std::string& name, const std::vector<std::string>& arguments) {
     const Box box = attack_box(way);
     return run(way, box, attack(box, name, arguments));
 }

@@ -39,13 +39,13 @@ bool become(const Way& way);
 
 /// Does something as who asks: here, or in a child that is a user without privileges. What it throws comes
 /// here.
-Verdict as(const Way& way, const std::function<Verdict()>& action);
+Ending as(const Way& way, const std::function<Ending()>& action);
 
 /// Runs a command in a box as who asks.
-Verdict run(const Way& way, const Box& box, const std::vector<std::string>& command);
+Ending run(const Way& way, const Box& box, const std::vector<std::string>& command);
 
 /// An attack in its box with small limits.
-Verdict run_attack(const Way& way, const std::string& name, const std::vector<std::string>& arguments = {});
+Ending run_attack(const Way& way, const std::string& name, const std::vector<std::string>& arguments = {});
 
 /// The processes of attacks that run, as "box_forks (12)".
 std::vector<std::string> attacks_running();

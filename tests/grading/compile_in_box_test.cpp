@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Compilation {
-    Verdict verdict;
+    Ending verdict;
     std::string program;  ///< its path, if there is one
 };
 

@@ -50,11 +50,11 @@ void in_every_way(Check check) {
     }
 }
 
-bool ends_by(const Verdict& verdict, int signal) {
+bool ends_by(const Ending& verdict, int signal) {
     return verdict.end == End::Signal && verdict.number == signal;
 }
 
-int number_in(const Verdict& verdict) { return std::atoi(verdict.output.c_str()); }
+int number_in(const Ending& verdict) { return std::atoi(verdict.output.c_str()); }
 
 /// Two sockets that are connected.
 struct Pair {
@@ -134,7 +134,7 @@ TEST_CASE("what cannot be started is refused with one line", "[box]") {
 
 TEST_CASE("a program in a box answers on its descriptor and tells its status", "[box]") {
     in_every_way([](const Way& way) {
-        const Verdict verdict = as(way, [&] {
+        const Ending verdict = as(way, [&] {
             Worker worker(way);
             if (!worker.pair.answers() || worker.boxed.ended()) throw std::runtime_error("no answer");
             if (write(worker.pair.here.number, ".", 1) != 1) throw std::runtime_error("no more");
@@ -151,7 +151,7 @@ TEST_CASE("a program in a box answers on its descriptor and tells its status", "
 
 TEST_CASE("a box outlives the thread that started it, and ends when it is told to", "[box]") {
     in_every_way([](const Way& way) {
-        const Verdict verdict = as(way, [&] {
+        const Ending verdict = as(way, [&] {
             std::unique_ptr<Worker> worker;
             std::thread([&] { worker = std::make_unique<Worker>(way); }).join();
             if (!worker->pair.answers()) throw std::runtime_error("no answer");
@@ -164,11 +164,11 @@ TEST_CASE("a box outlives the thread that started it, and ends when it is told t
 
 TEST_CASE("boxes have nothing of each other's limits, and leave no zombie", "[box]") {
     in_every_way([](const Way& way) {
-        const Verdict all = as(way, [&] {
+        const Ending all = as(way, [&] {
             std::vector<Boxed> boxes;
             const Box box = attack_box(way);
             for (int i = 0; i < 4; ++i) boxes.push_back(start(box, attack(box, "forks")));
-            Verdict sum;
+            Ending sum;
             for (Boxed& boxed : boxes) sum.number += number_in(boxed.wait());
             return sum;
         });
@@ -202,13 +202,13 @@ TEST_CASE("processes, time, memory and output have limits", "[box]") {
             CHECK(forks <= 12);
             CHECK(forks >= 9);
         }
-        const Verdict hog = run_attack(way, "one_hog");
+        const Ending hog = run_attack(way, "one_hog");
         CHECK(hog.end == End::Exited);
         CHECK(number_in(hog) <= 64);
         CHECK(number_in(hog) > 32);
         CHECK(run_attack(way, "many_hogs").end == End::Memory);
         CHECK(ends_by(run_attack(way, "large_file"), SIGXFSZ));
-        const Verdict output = run_attack(way, "much_output");
+        const Ending output = run_attack(way, "much_output");
         CHECK(output.end == End::Output);
         CHECK(output.output.size() == small_limits().output);
         CHECK(ends_by(run_attack(way, "deep_stack"), SIGSEGV));
@@ -218,7 +218,7 @@ TEST_CASE("processes, time, memory and output have limits", "[box]") {
         box.limits.cpu_seconds = box.limits.wall_seconds = 0.3;
         CHECK(run(way, box, attack(box, "sleep")).end == End::WallTime);
         box.limits.wall_seconds = 20;
-        const Verdict spin = run(way, box, attack(box, "spin"));
+        const Ending spin = run(way, box, attack(box, "spin"));
         CHECK(spin.end == End::CpuTime);
         CHECK(spin.cpu_seconds < 1.5);
         CHECK(in_words(spin, box.limits) == "took more than 0.3 s of processor time");
@@ -248,8 +248,8 @@ TEST_CASE("nothing outside of a box is written or read", "[box]") {
         fs::permissions(key, fs::perms(0700));
         const std::vector<std::string> before = machine();
 
-        const Verdict written = run_attack(way, "write_outside", {open, key});
-        const Verdict read = run_attack(way, "read_outside", {open + "/anybody", key + "/secret"});
+        const Ending written = run_attack(way, "write_outside", {open, key});
+        const Ending read = run_attack(way, "read_outside", {open + "/anybody", key + "/secret"});
         CHECK(machine() == before);
         if (way.apart()) {
             CHECK(written.output == "");
@@ -269,13 +269,13 @@ TEST_CASE("a box sees no other process, no descriptor and no environment", "[box
     in_every_way([](const Way& way) {
         // In two parts, because it can read its own command line.
         const std::string place = this_project().build.string();
-        const Verdict spy = run_attack(way, "spy", {place.substr(0, 3), place.substr(3)});
+        const Ending spy = run_attack(way, "spy", {place.substr(0, 3), place.substr(3)});
         CHECK((spy.output == "0\n") == way.apart());
 
-        const Verdict given = run_attack(way, "descriptors");
+        const Ending given = run_attack(way, "descriptors");
         CHECK(given.output.starts_with("0 1 2 PATH=/usr/bin HOME=/tmp"));
         CHECK(given.output.find("rosebud") == std::string::npos);
-        const Verdict kept = as(way, [&] {
+        const Ending kept = as(way, [&] {
             const Pair pair;
             const Box box = attack_box(way);
             const int both[] = {pair.there.number, pair.here.number};
@@ -306,7 +306,7 @@ TEST_CASE("a box reaches no server", "[box]") {
     REQUIRE(listen(local.number, 16) == 0);
 
     in_every_way([&](const Way& way) {
-        const Verdict verdict = run_attack(way, "network", {std::to_string(ntohs(address.sin_port)), name});
+        const Ending verdict = run_attack(way, "network", {std::to_string(ntohs(address.sin_port)), name});
         CHECK(verdict.output == (way.apart() ? "" : "TCP\nabstract socket\n"));
     });
 }
@@ -316,11 +316,11 @@ TEST_CASE("a box leaves no process behind and harms none", "[box]") {
         CHECK(run_attack(way, "daemon").end == End::Exited);
         CHECK(attacks_running().empty());
         if (!way.root && !way.apart()) return;  // it would end all that this user has
-        const Verdict attacked = as(way, [&] {
+        const Ending attacked = as(way, [&] {
             Worker neighbour(way);
             if (!neighbour.pair.answers()) throw std::runtime_error("no answer");
             const Box box = attack_box(way);
-            const Verdict verdict = run_in(
+            const Ending verdict = run_in(
                 box, attack(box, "attack_processes", {std::to_string(getpid()), std::to_string(getppid())}));
             if (!neighbour.pair.answers()) throw std::runtime_error("the neighbour was ended");
             return verdict;
@@ -335,7 +335,7 @@ TEST_CASE("a box has no privilege and gets none", "[box]") {
         if (!way.apart()) return;
         CHECK(run_attack(way, "privileges").output == "");
         CHECK(run_attack(way, "system_calls").output == "");
-        const Verdict foreign = run_attack(way, "foreign_calls");
+        const Ending foreign = run_attack(way, "foreign_calls");
         CHECK(foreign.end == End::Signal);
         CHECK(foreign.output == "");
     });
@@ -350,7 +350,7 @@ TEST_CASE("only regular files come out of a box, whole", "[box]") {
         for (const char* name : {"right", "link", "pipe", "directory", "hard", "absent", "root/etc/passwd",
                                  "../../etc/passwd", "/etc/passwd"})
             box.products.push_back({name, out + "/" + fs::path(name).filename().string()});
-        const Verdict verdict = run(way, box, attack(box, "products", {secret}));
+        const Ending verdict = run(way, box, attack(box, "products", {secret}));
         CHECK(verdict.products == std::vector<std::string>{"right"});
         std::vector<std::string> names;
         for (const auto& entry : fs::directory_iterator(out))
