@@ -1,11 +1,13 @@
 // The main program of every test program: Catch2, and a report that a crash cannot take away.
-// Beside Catch2's own options: --quick (fewer random cases) and --report FILE (see below).
+// Beside Catch2's own options: --quick (fewer random cases), --seed N (other random cases) and --report FILE
+// (see below).
 #define COURSE_TEST_MAIN
 #include "common/math/printable.hpp"
 #include "common/math/todo.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -72,7 +74,7 @@ std::string describe(const Catch::AssertionStats& stats) {
 /// Writes one line of JSON as each test case starts and one as it ends, so that whoever started the program
 /// can name the test in which it died:
 ///   {"started":"name","steps":["02.1"]}
-///   {"ended":"name","steps":["02.1"],"state":"todo|failed|passed","message":"…","missing":"02.1"}
+///   {"ended":"name","steps":["02.1"],"state":"todo|failed|passed","message":"…","missing":"02.1","stopped":"…"}
 /// and {"finished":true} after the last.
 struct Report : Listener {
     using Listener::Listener;
@@ -87,6 +89,7 @@ struct Report : Listener {
     void testCaseStarting(const Catch::TestCaseInfo& info) override {
         first_failure.clear();
         missing_step.clear();
+        stopped.clear();
         out << "{\"started\":" << json(info.name) << ",\"steps\":" << steps(info) << "}" << std::endl;
     }
 
@@ -105,7 +108,7 @@ struct Report : Listener {
                     : ok ? "passed"
                          : "failed")
             << ",\"message\":" << json(todo || ok ? "" : first_failure)
-            << ",\"missing\":" << json(missing_step) << "}" << std::endl;
+            << ",\"missing\":" << json(missing_step) << ",\"stopped\":" << json(stopped) << "}" << std::endl;
     }
 
     void testRunEnded(const Catch::TestRunStats&) override {
@@ -137,10 +140,13 @@ CATCH_TRANSLATE_EXCEPTION(const NotImplemented& error) {
 /// need are not started.
 int main(int argc, char** argv) {
     using namespace rt::test;
+    // Whoever is started in the background, or by nohup, ignores some of these; tests send them to children.
+    for (const int signal : {SIGINT, SIGHUP, SIGQUIT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_DFL);
     Catch::Session session;
-    session.cli(session.cli() |
-                options::Opt(quick)["--quick"]("fewer random cases, as in a student's check") |
-                options::Opt(report_file, "file")["--report"]("write a line of JSON a test case"));
+    session.cli(
+        session.cli() | options::Opt(quick)["--quick"]("fewer random cases, as in a student's check") |
+        options::Opt(case_seed, "number")["--seed"]("other random cases than those that everybody knows") |
+        options::Opt(report_file, "file")["--report"]("write a line of JSON a test case"));
     if (session.applyCommandLine(argc, argv) != 0) return 2;
     session.run();
     if (!finished) return 0;

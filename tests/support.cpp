@@ -2,12 +2,19 @@
 #include "tests/support.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 
 namespace rt::test {
 
-// Set by --quick, in tests/main.cpp.
+// Set in tests/main.cpp.
 bool quick = false;
+std::uint64_t case_seed = 0;
+std::string stopped;
+
+double (*running_seconds)() = [] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+};
 
 int cases(int full) { return quick ? std::max(1, full / 10) : full; }
 

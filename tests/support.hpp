@@ -17,6 +17,17 @@ namespace rt::test {
 /// student's check.
 int cases(int full);
 
+/// Given by --seed; every Random depends on it. 0 for the cases that everybody knows.
+extern std::uint64_t case_seed;
+
+/// How a call ended that gave no answer: "crashed", "timed out" or "too much memory"; empty if none did in
+/// this test. Only the autograder's judges, whose calls are answered by another process, live to say so.
+extern std::string stopped;
+
+/// The clock for what functions under test take, in seconds: the wall clock's, or where another process
+/// answers the calls, what the functions have taken there so far.
+extern double (*running_seconds)();
+
 /// Where test programs may write: a directory that exists, inside the build directory.
 std::string scratch_directory();
 
@@ -40,7 +51,7 @@ inline bool is_finite(const Vec3& v) {
 
 /// Random numbers from a fixed seed, so that a failing case fails again.
 struct Random {
-    explicit Random(std::uint64_t seed) : engine(seed) {}
+    explicit Random(std::uint64_t number) : engine(number + case_seed * 0x9e3779b97f4a7c15) {}
     std::mt19937_64 engine;
 
     /// Uniform in [low, high).

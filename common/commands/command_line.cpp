@@ -1,6 +1,7 @@
 // What can be asked for on the command line, with help and examples.
 #include "common/commands/command_line.hpp"
 
+#include "common/grading/formats/formats.hpp"
 #include "common/scene/integrators.hpp"
 #include "common/scene/parse.hpp"
 #include "common/scene/text.hpp"
@@ -222,6 +223,25 @@ void add_handout(CommandLine& line) {
     sub->group(for_instructors);
 }
 
+void add_grade(CommandLine& line) {
+    CLI::App* sub = add_command(line, "grade", "mark submissions, safely, by the chapters' own tests",
+                                "grade submissions/* --chapter 02 --format html -o class.html",
+                                [&line] { return run_grade(line.grade); });
+    sub->add_option("submissions", line.grade.submissions,
+                    "a directory each: a student's tree or its exercises")
+        ->required();
+    sub->add_option("--chapter", line.grade.chapters, "such as 02, and again for more; default: all");
+    sub->add_option("--rubric", line.grade.rubric, "a grading.json; default: the chapters' points");
+    sub->add_option("--seed", line.grade.seed, "of the random cases; default: one that the class keeps")
+        ->transform(whole_number(0, 1LL << 53));
+    sub->add_option("--isolation", line.grade.isolation, "bwrap, user or none; default: bwrap");
+    std::string names;
+    for (const Format& format : formats()) names += (names.empty() ? "" : ", ") + std::string(format.name);
+    sub->add_option("--format", line.grade.format, names + "; default: csv");
+    sub->add_option("-o,--output", line.grade.output, "the file; default: standard output");
+    sub->group(for_instructors);
+}
+
 void add_references(CommandLine& line) {
     CLI::App* sub = add_command(line, "references",
                                 "render the references with POV-Ray again and report any that changed",
@@ -270,8 +290,8 @@ void add_new(CommandLine& line) {
 /// In a handout, what needs solutions is not offered, and says why.
 void leave_out_in_handout(CommandLine& line) {
     if (has_solutions(this_project())) return;
-    for (const char* name :
-         {"solution", "tour", "report", "test", "handout", "references", "exercises", "figures", "new"}) {
+    for (const char* name : {"solution", "tour", "report", "test", "grade", "handout", "references",
+                             "exercises", "figures", "new"}) {
         CLI::App* command = line.app.get_subcommand(name);
         command->group("");
         command->callback([&line, name] {
@@ -295,8 +315,8 @@ void describe_commands(CommandLine& line) {
     // In the order of --help.
     for (void (*add)(CommandLine&) :
          {add_check, add_list, add_hint, add_reset, add_solution, add_render, add_compare, add_explain,
-          add_trace, add_export, add_tour, add_report, add_test, add_handout, add_references, add_exercises,
-          add_figures, add_new})
+          add_trace, add_export, add_tour, add_report, add_test, add_grade, add_handout, add_references,
+          add_exercises, add_figures, add_new})
         add(line);
     leave_out_in_handout(line);
     refuse_empty_values(line.app);

@@ -26,6 +26,7 @@ struct CommandLine {
     TraceCommand trace;
     ExportCommand export_scene;
     TourCommand tour;
+    GradeCommand grade;
     ReferencesCommand references;
     RandomReferencesCommand random;
     HandoutCommand handout;

@@ -136,6 +136,19 @@ struct ReportCommand {
 /// valgrind or the packages of the tests are missing.
 int run_report(const ReportCommand& command);
 
+struct GradeCommand {
+    std::vector<std::filesystem::path> submissions;  ///< a directory each
+    std::vector<std::string> chapters;               ///< their numbers; all if there are none
+    std::filesystem::path rubric;                    ///< a grading.json; none: the chapters' points
+    std::optional<std::uint64_t> seed;               ///< of the random cases; none: the class's own
+    std::string isolation = "bwrap";
+    std::string format = "csv";
+    std::filesystem::path output;  ///< none: standard output
+};
+
+/// `course grade`: marks submissions and writes the results. What was marked before is not marked again.
+int run_grade(const GradeCommand& command);
+
 struct ReferencesCommand {
     bool make = false;    ///< write what changed
     std::string chapter;  ///< number; empty: all

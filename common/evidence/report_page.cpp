@@ -1,7 +1,7 @@
 // The report's page: what the templates in pages/ show of the data, ready to be read.
 #include "common/evidence/report.hpp"
-#include "common/terminal/page.hpp"
 #include "common/terminal/console.hpp"
+#include "common/terminal/page.hpp"
 
 #include <fmt/format.h>
 

@@ -142,9 +142,4 @@ Ray camera_ray(const World& world, const Vec2& place, Stream&) {
     return camera_ray(world, CameraSample{.place = place});
 }
 
-RayCounts& ray_counts() {
-    thread_local RayCounts counts;
-    return counts;
-}
-
 }  // namespace rt

@@ -82,6 +82,7 @@ TestReport read_report(std::string_view text) {
             run.state = state_named(event.value("state", ""));
             run.message = printable(event.value("message", ""), Keep::Lines);
             run.missing = event.value("missing", "");
+            run.stopped = event.value("stopped", "");
             report.ended.push_back(run);
             report.died_in.reset();
         }

@@ -39,7 +39,8 @@ struct TestRun {
     std::vector<std::string> steps;  ///< all its tags
     State state = State::Todo;
     std::string message;
-    std::string missing;  ///< the step that is not started, where `state` is Todo
+    std::string missing;    ///< the step that is not started, where `state` is Todo
+    std::string stopped{};  ///< how a call ended that gave no answer, in the autograder's judges; else empty
 };
 
 /// What a test program had written when it ended, in whichever way.

@@ -80,11 +80,8 @@ TEST_CASE("unknown commands and options get a suggestion") {
 }
 
 TEST_CASE("commands that come with later chapters are not offered") {
-    for (const char* later : {"grade", "book"}) {
-        INFO("command := " << later);
-        CHECK(course(later).status == 2);
-        CHECK(course("--help").out.find(std::string("\n  ") + later) == std::string::npos);
-    }
+    CHECK(course("book").status == 2);
+    CHECK(course("--help").out.find("\n  book") == std::string::npos);
     CHECK(course("check --watch").status == 2);
 }
 

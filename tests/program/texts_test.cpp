@@ -137,6 +137,7 @@ constexpr Elsewhere elsewhere[] = {
     {"reset", "tests/program/scratch_course.sh", "./course reset 99.1"},
     {"solution", "tests/program/scratch_course.sh", "./course solution 99.1"},
     {"new", "tests/program/scratch_course.sh", "./course new 97_fresh"},
+    {"grade", "tests/program/grade.sh", "grade submissions/* --chapter 01 --seed 5"},
     {"handout", "tests/program/handout.sh", "handout \"$handout\" --chapters 1-5 --class"},
 };
 
@@ -149,8 +150,9 @@ void check_elsewhere(const Command& command, const Elsewhere& where, const fs::p
     const std::vector<Chapter> chapters = read_catalogue(this_project());
     for (std::size_t i = 2; i < command.words.size(); ++i) {
         const std::string& word = command.words[i];
-        if (command.words[i - 1].starts_with("--") && word.find('-') != 0) continue;  // an option's value
-        if (word.find('/') != std::string::npos) continue;                            // a path
+        if (word == "-o" || (command.words[i - 1].starts_with("-") && !word.starts_with("-")))
+            continue;                                       // values
+        if (word.find('/') != std::string::npos) continue;  // a path
         if (word.starts_with("--"))
             CHECK(help.output.find(word) != std::string::npos);
         else if (word.find('.') != std::string::npos)

@@ -1,0 +1,39 @@
+// A submission's mark: compiled and run in boxes, judged by the chapters' own tests in a process that never
+// runs what a student wrote.
+#pragma once
+
+#include "common/grading/grade.hpp"
+#include "common/grading/rubric.hpp"
+#include "common/grading/workshop.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace rt {
+
+struct GraderOptions {
+    std::vector<const Chapter*> chapters;  ///< those that are marked
+    Rubric rubric;
+    std::uint64_t seed = 0;  ///< of the tests' random cases
+    Isolation isolation = Isolation::Bubblewrap;
+    double call_seconds = 10;  ///< what one call of a function may take
+};
+
+class Grader {
+public:
+    /// Builds what all submissions share. Throws InputError if there can be no box at this level.
+    Grader(const Project& project, GraderOptions options);
+
+    /// Never throws for what a submission does.
+    Grade grade(const Submission& submission);
+
+private:
+    void grade_chapter(const Chapter& chapter, const Submission& submission, Grade& grade);
+
+    const Project& project_;
+    GraderOptions options_;
+    Workshop workshop_;
+    int graded_ = 0;
+};
+
+}  // namespace rt

@@ -1,0 +1,182 @@
+// Where submissions become programs: the course's own parts are built once, a student's files in a box.
+#include "common/grading/workshop.hpp"
+
+#include "common/grading/system_files.hpp"
+#include "common/image/whole_file.hpp"
+#include "common/math/input_error.hpp"
+#include "common/math/printable.hpp"
+#include "common/terminal/process.hpp"
+#include "common/workbook/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// As CMakeLists.txt has them, but for warnings, which are no student's fault here.
+const std::vector<std::string> compiler{"/usr/bin/g++", "-std=c++20",        "-O2",
+                                        "-DNDEBUG",     "-ffp-contract=off", "-w"};
+
+/// Copies the headers that a chapter may include: the contracts and what they stand on.
+void copy_headers(const Project& project, const fs::path& to) {
+    for (const char* top : {"chapters", "common"})
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(project.root / top)) {
+            if (!entry.is_regular_file() || entry.path().extension() != ".hpp") continue;
+            const fs::path target = to / fs::relative(entry.path(), project.root);
+            fs::create_directories(target.parent_path());
+            fs::copy_file(entry.path(), target);
+        }
+}
+
+/// What most chapters include, compiled once: most of the time that so small a file takes goes into it.
+void compile_headers(const fs::path& include) {
+    write_file(
+        include / "common.hpp",
+        "#include \"common/world/query.hpp\"\n#include <algorithm>\n#include <array>\n#include <cmath>\n");
+    std::vector<std::string> command = compiler;
+    command.insert(command.end(),
+                   {"-I", include.string(), "-x", "c++-header", (include / "common.hpp").string(), "-o",
+                    (include / "common.hpp.gch").string()});
+    const ProcessResult result = run_process(command);
+    if (!succeeded(result)) throw InputError("the contracts do not compile: " + result.output);
+}
+
+/// The first error, with the file's name as from the root.
+std::string first_of(const Project& project, std::string output, const std::string& job) {
+    for (auto at = output.find(job); at != std::string::npos; at = output.find(job, at))
+        output.erase(at, job.size());
+    return first_error(project, output);
+}
+
+Box compilers_box(Isolation isolation) {
+    Box box;
+    box.isolation = isolation;
+    box.limits = compiler_limits();
+    box.mounts = compiler_mounts();
+    return box;
+}
+
+}  // namespace
+
+Workshop::Workshop(const Project& project, const std::vector<const Chapter*>& chapters, Isolation isolation)
+    : project_(project), isolation_(isolation), shared_(fs::temp_directory_path() / "course-grading") {
+    std::vector<std::string> targets{"course-box", "grading_kit"};
+    for (const Chapter& chapter : read_catalogue(project)) {
+        numbers_.push_back(chapter.number);
+        targets.push_back("grading_solution_" + chapter.number);
+    }
+    for (const Chapter* chapter : chapters) targets.push_back("judge_" + chapter->number);
+    const BuildResult built = build_targets(project, targets, "Building the judges");
+    if (!built.ok) throw InputError("the judges do not build: " + built.message);
+
+    fs::permissions(place(), fs::perms(0755));  // boxes have uids of their own
+    copy_headers(project, place() / "include");
+    compile_headers(place() / "include");
+    fs::create_directories(place() / "lib");
+    for (const fs::path& library : files_in(project.build / "grading", {".a"}))
+        fs::copy_file(library, place() / "lib" / library.filename());
+}
+
+const Workshop::Compiled& Workshop::compiled(const Chapter& chapter, const std::string& file,
+                                             const std::string& text) {
+    const std::string name = exercise_path(chapter, file);
+    const std::string key = fingerprint(name + "\n" + text);
+    const auto known = compiled_.find(key);
+    if (known != compiled_.end()) return known->second;
+
+    const fs::path directory = place() / "objects" / key;
+    fs::create_directories((directory / name).parent_path());
+    write_file(directory / name, text);
+    Box box = compilers_box(isolation_);
+    box.mounts.push_back({(place() / "include").string(), "/course"});
+    box.mounts.push_back({directory.string(), "/job"});
+    Compiled made{directory / "out.o", "", 0};
+    box.products.push_back({"out.o", made.object.string()});
+
+    const std::string include = seen_from(box, place() / "include"), job = seen_from(box, directory) + "/";
+    std::vector<std::string> command = compiler;
+    for (const std::string& option : short_diagnostics()) command.push_back(option);
+    command.insert(command.end(),
+                   {"-I", include, "-include", include + "/common.hpp", "-c", job + name, "-o", "out.o"});
+    const Ending ending = run_in(box, command);
+    made.peak_memory = ending.peak_memory;
+    if (ending.products.empty()) {
+        const bool said = ending.end == End::Exited && !ending.errors.empty();
+        made.error = said ? printable(first_of(project_, ending.errors, job))
+                          : fmt::format("the compiler {}", in_words(ending, box.limits));
+    }
+    return compiled_[key] = made;
+}
+
+std::string Workshop::link(const Chapter& chapter, const std::vector<fs::path>& objects,
+                           const fs::path& directory, std::uint64_t& peak_memory) {
+    Box box = compilers_box(isolation_);
+    box.mounts.push_back({place().string(), "/course"});
+    box.products.push_back({"out", (directory / "worker").string()});
+    std::vector<std::string> command{compiler.front(), "-o", "out"};
+    for (const fs::path& object : objects) command.push_back(seen_from(box, object));
+    command.push_back("-Wl,--start-group");
+    for (const std::string& number : numbers_)
+        if (number != chapter.number)
+            command.push_back(seen_from(box, place() / "lib" / ("libgrading_solution_" + number + ".a")));
+    command.insert(command.end(), {seen_from(box, place() / "lib" / "libgrading_kit.a"), "-Wl,--end-group",
+                                   "-ltbb", "-lfmt", "-lspng", "-pthread"});
+    const Ending ending = run_in(box, command);
+    peak_memory = std::max(peak_memory, ending.peak_memory);
+    if (!ending.products.empty()) return "";
+    if (ending.end != End::Exited || ending.errors.empty())
+        return fmt::format("the linker {}", in_words(ending, box.limits));
+    return printable(first_of(project_, ending.errors, seen_from(box, directory) + "/"));
+}
+
+BuiltWorker Workshop::build(const Chapter& chapter, const Submission& submission, const fs::path& directory) {
+    BuiltWorker built;
+    std::vector<fs::path> pristine_objects, objects;
+    std::vector<std::string> files = exercise_files(project_, chapter);
+    for (const std::string& file : files) {
+        const std::optional<std::string> pristine = pristine_text(project_, chapter, file);
+        if (!pristine) throw InputError(exercise_path(chapter, file) + ": there is no pristine exercise");
+        pristine_objects.push_back(compiled(chapter, file, *pristine).object);
+        objects.push_back(pristine_objects.back());
+        const auto text = submission.files.find(exercise_path(chapter, file));
+        if (text == submission.files.end()) continue;
+        const Compiled& mine = compiled(chapter, file, text->second);
+        built.peak_memory = std::max(built.peak_memory, mine.peak_memory);
+        if (mine.error.empty())
+            objects.back() = mine.object;
+        else
+            built.errors[file] = mine.error;
+    }
+    std::string error = link(chapter, objects, directory, built.peak_memory);
+    if (!error.empty()) {
+        // Whose fault is it? A file that does not even link alone is left out; if none, all of them are.
+        const std::vector<fs::path> all = objects;
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            std::vector<fs::path> alone = pristine_objects;
+            alone[i] = all[i];
+            if (alone == pristine_objects) continue;
+            const std::string why = link(chapter, alone, directory, built.peak_memory);
+            if (why.empty()) continue;
+            built.errors[files[i]] = why;
+            objects[i] = pristine_objects[i];
+        }
+        const bool nobodys = objects == all;
+        if (nobodys) {
+            for (const std::string& file : files_of_steps(chapter)) built.errors.try_emplace(file, error);
+            objects = pristine_objects;
+        }
+        error = link(chapter, objects, directory, built.peak_memory);
+    }
+    if (!error.empty()) return built;
+    // Written by a box with a uid of its own, run by another.
+    built.program = directory / "worker";
+    fs::permissions(built.program, fs::perms(0755));
+    return built;
+}
+
+}  // namespace rt

@@ -1,0 +1,221 @@
+// The judge's end: one worker at a time, started when it is needed and anew after it died.
+#include "tests/grading/judge.hpp"
+
+#include "common/grading/isolation.hpp"
+#include "common/grading/sandbox.hpp"
+#include "common/grading/system_files.hpp"
+#include "common/image/descriptor.hpp"
+#include "common/math/input_error.hpp"
+#include "common/math/todo.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <set>
+
+namespace rt::grading {
+
+namespace {
+
+/// How many objects a worker is to know by their numbers, and how many bytes of them; then both ends forget.
+constexpr std::size_t most_known = 256;
+constexpr std::size_t most_known_bytes = std::size_t{64} << 20;
+
+/// How long a worker may live, and what it may use. Calls have a limit of their own.
+Limits worker_limits() {
+    Limits limits;
+    limits.cpu_seconds = 300;
+    limits.wall_seconds = 600;
+    limits.process_memory = std::uint64_t{2} << 30;
+    limits.memory = std::uint64_t{1} << 30;
+    return limits;
+}
+
+std::string required(const char* variable) {
+    const char* const value = std::getenv(variable);
+    if (!value) throw InputError(fmt::format("{} is not set: course grade starts the judges", variable));
+    return value;
+}
+
+class Worker {
+public:
+    Worker() : Worker(Descriptor(Channel::make_file())) {}
+
+    Channel channel;
+    std::map<std::pair<std::type_index, std::size_t>, std::uint32_t> known;
+    std::size_t known_bytes = 0;
+    bool forgets = false;  // the next call tells it to
+
+    bool is_alive() const { return !boxed.ended(); }
+
+    /// How it ended, once it is not alive; ends it where it is.
+    NoAnswer death(const std::string& what) {
+        const Ending ending = boxed.wait();
+        const char* how = ending.end == End::Memory                                   ? "too much memory"
+                          : ending.end == End::CpuTime || ending.end == End::WallTime ? "timed out"
+                                                                                      : "crashed";
+        return {how, fmt::format("{} {}", what, in_words(ending, box.limits))};
+    }
+
+private:
+    explicit Worker(const Descriptor& file)
+        : channel(file.number, Side::Judge), box(box_of(required("COURSE_WORKER"))), boxed(run(file)) {}
+
+    static Box box_of(const std::filesystem::path& program) {
+        Box box;
+        box.isolation = isolation_named(required("COURSE_ISOLATION"));
+        box.limits = worker_limits();
+        box.mounts = library_mounts();
+        box.mounts.push_back({program.string(), "/worker"});
+        return box;
+    }
+
+    Boxed run(const Descriptor& file) const {
+        const int descriptors[] = {file.number};
+        return start(box, {seen_from(box, required("COURSE_WORKER"))}, descriptors);
+    }
+
+    Box box;
+    Boxed boxed;
+};
+
+// The tests' clock: what calls have taken. What they take to get there and back does not count.
+double seconds_in_calls = 0;
+const bool clock_is_set = (
+    test::running_seconds = [] { return seconds_in_calls; }, true);
+
+std::unique_ptr<Worker> worker;
+std::recursive_mutex one_at_a_time;
+std::set<std::uint32_t> endless;  // functions that did not return once, and are not asked again
+
+/// What one call may take. The longest that a solution makes takes less than a second.
+const double call_seconds = [] {
+    const char* const said = std::getenv("COURSE_CALL_SECONDS");
+    return said ? std::atof(said) : 10;
+}();
+
+/// Nothing more is expected of this worker.
+[[noreturn]] void give_up(const NoAnswer& why) {
+    worker.reset();
+    throw why;
+}
+[[noreturn]] void give_up(const std::string& why) { give_up(NoAnswer("crashed", why)); }
+
+Message wait_for_message(std::uint32_t number, std::string_view name) {
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration<double>(call_seconds);
+    bool late = false;
+    std::optional<Message> message =
+        worker->channel.receive([&] { return worker->is_alive() && !(late = Clock::now() > end); });
+    if (message) return std::move(*message);
+    if (!late) give_up(worker->death(std::string(name)));
+    endless.insert(number);
+    give_up(NoAnswer("timed out", fmt::format("{} did not return in {:g} s", name, call_seconds)));
+}
+
+std::string text_of(const Message& message) {
+    return {reinterpret_cast<const char*>(message.bytes.data()), message.bytes.size()};
+}
+
+void answer_callback(const Message& message, std::string_view name, const Callbacks& callbacks) {
+    if (message.number >= callbacks.size()) give_up(fmt::format("{} called back what there is not", name));
+    Reader in(message.bytes);
+    Writer out;
+    try {
+        callbacks[message.number](in, out);
+    } catch (const BadBytes& error) {
+        give_up(fmt::format("{} called back with nonsense: {}", name, error.what()));
+    } catch (...) {
+        worker.reset();  // it still waits for the result
+        throw;
+    }
+    if (!worker) throw NoAnswer("crashed", fmt::format("{} was called back and lost", name));
+    worker->channel.send(Kind::Result, 0, out.bytes());
+}
+
+void forget_if_full() {
+    if (worker->known.size() < most_known && worker->known_bytes < most_known_bytes) return;
+    worker->known.clear();
+    worker->known_bytes = 0;
+    worker->forgets = true;
+}
+
+void start_worker() {
+    worker = std::make_unique<Worker>();
+    const Message message = wait_for_message(UINT32_MAX, "the program, before anything was called,");
+    if (message.kind != Kind::Ready) give_up("the program did not wait for calls");
+}
+
+CATCH_TRANSLATE_EXCEPTION(const NoAnswer& error) {
+    if (test::stopped.empty()) test::stopped = error.how;
+    return error.what();
+}
+
+}  // namespace
+
+std::vector<std::byte> ask(std::uint32_t number, std::string_view name, std::span<const std::byte> arguments,
+                           const Callbacks& callbacks) {
+    const std::lock_guard lock(one_at_a_time);
+    if (endless.contains(number))
+        throw NoAnswer("timed out", fmt::format("{} did not return before, and was not called again", name));
+    if (!worker) start_worker();
+    worker->channel.send(Kind::Call, worker->forgets ? number | forget : number, arguments);
+    worker->forgets = false;
+    for (;;) {
+        Message message = wait_for_message(number, name);
+        switch (message.kind) {
+            case Kind::Return:
+                forget_if_full();
+                return std::move(message.bytes);
+            case Kind::Missing:
+                throw NotImplemented(text_of(message));
+            case Kind::Refused:
+                throw InputError(text_of(message));
+            case Kind::Threw:
+                throw std::runtime_error(text_of(message));
+            case Kind::Callback:
+                answer_callback(message, name, callbacks);
+                break;
+            default:
+                give_up(fmt::format("{} answered what there is not", name));
+        }
+    }
+}
+
+Known known(std::type_index type, std::span<const std::byte> bytes) {
+    const std::lock_guard lock(one_at_a_time);
+    if (!worker) start_worker();
+    const std::size_t content =
+        std::hash<std::string_view>()({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const auto next = static_cast<std::uint32_t>(worker->known.size());
+    const auto [entry, is_new] = worker->known.try_emplace({type, content}, next);
+    if (is_new) worker->known_bytes += bytes.size();
+    return {entry->second, is_new};
+}
+
+void add_counts(Reader& in) {
+    const auto seconds = in.read<double>();
+    if (seconds >= 0) seconds_in_calls += seconds;
+    const auto rays = in.read<RayCounts>();
+    const auto searches = in.read<SearchCounts>();
+    RayCounts& ours = ray_counts();
+    ours.camera += rays.camera;
+    ours.shadow += rays.shadow;
+    ours.reflection += rays.reflection;
+    ours.refraction += rays.refraction;
+    ours.random_numbers += rays.random_numbers;
+    search_counts().cells += searches.cells;
+    search_counts().shapes += searches.shapes;
+}
+
+void returned_nonsense(std::string_view name, const char* what) {
+    const std::lock_guard lock(one_at_a_time);
+    give_up(fmt::format("{} returned nonsense: {}", name, what));
+}
+
+}  // namespace rt::grading

@@ -1,0 +1,178 @@
+// The worker's end of a call: reads the arguments, calls the student's function, writes down what it returns.
+#pragma once
+
+#include "common/math/stopwatch.hpp"
+#include "common/render/render.hpp"
+#include "common/world/search.hpp"
+#include "tests/grading/channel.hpp"
+#include "tests/grading/wire.hpp"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+namespace rt::grading {
+
+/// One function of the table, by its number: reads arguments and writes the result.
+using Answer = void (*)(Reader&, Writer&);
+extern const std::span<const Answer> answers;  // answers.cpp, which the build makes
+
+/// Calls back function `number` of those that the judge gave with the call that is being answered.
+std::vector<std::byte> call_back(std::uint32_t number, const Writer& arguments);
+
+/// The number of the next callback among the arguments that are being read.
+std::uint32_t next_callback();
+
+/// Objects that were sent before, by their numbers.
+std::map<std::uint32_t, std::shared_ptr<const void>>& known_objects();
+
+// ------------------------------------------------------------------------------------------------ arguments
+
+/// Holds an argument while the function runs. T is the parameter without const and reference.
+template <class T>
+struct Argument {
+    std::shared_ptr<const T> held;
+    explicit Argument(Reader& in) {
+        const bool large = in.read<bool>();
+        const std::uint32_t number = large ? in.read<std::uint32_t>() : 0;
+        if (in.read<bool>()) {
+            Reader own(in.take(in.read<std::uint64_t>()));
+            held = std::make_shared<T>(own.read<T>());
+            if (large) known_objects()[number] = held;
+        } else {
+            held = std::static_pointer_cast<const T>(known_objects().at(number));
+        }
+    }
+    const T& get() const { return *held; }
+    void write_back(Writer&) const {}
+};
+template <class T>
+requires(is_raw<T>() && !std::is_same_v<T, Stream>) struct Argument<T> {
+    T held;
+    explicit Argument(Reader& in) : held(in.read<T>()) {}
+    const T& get() const { return held; }
+    void write_back(Writer&) const {}
+};
+template <class T>
+struct Argument<std::span<const T>> : Argument<std::vector<T>> {
+    using Argument<std::vector<T>>::Argument;
+    std::span<const T> get() const { return *this->held; }
+};
+template <>
+struct Argument<Stream> {
+    Stream held;
+    explicit Argument(Reader& in) : held(in.read<Stream>()) {}
+    Stream& get() { return held; }
+    void write_back(Writer& out) const { out(held); }
+};
+template <>
+struct Argument<Ask> {
+    struct Call {
+        std::uint32_t number;
+        Real operator()(std::span<const std::uint32_t> shapes, Interval part) const {
+            Writer out;
+            out.list(shapes);
+            out(part);
+            return Reader(call_back(number, out)).read<Real>();
+        }
+    } call;
+    Ask ask{call};
+    explicit Argument(Reader&) : call{next_callback()} {}
+    Argument(const Argument&) = delete;
+    const Ask& get() const { return ask; }
+    void write_back(Writer&) const {}
+};
+template <class R, class... A>
+struct Argument<std::function<R(A...)>> {
+    std::function<R(A...)> function;
+    explicit Argument(Reader&) {
+        function = [number = next_callback()](A... argument) {
+            Writer out;
+            (out(argument), ...);
+            return Reader(call_back(number, out)).read<R>();
+        };
+    }
+    const std::function<R(A...)>& get() const { return function; }
+    void write_back(Writer&) const {}
+};
+template <>
+struct Argument<RayColor> {
+    explicit Argument(Reader&) { number() = next_callback(); }
+    RayColor get() const {
+        return [](const World&, const Ray& ray, Stream& stream) {
+            Writer out;
+            out(ray);
+            out(stream);
+            const std::vector<std::byte> answer = call_back(number(), out);
+            Reader in(answer);
+            const auto seen = in.read<Vec3>();
+            stream = in.read<Stream>();
+            return seen;
+        };
+    }
+    void write_back(Writer&) const {}
+
+private:
+    static std::uint32_t& number() {
+        static std::uint32_t of_this_call = 0;
+        return of_this_call;
+    }
+};
+template <>
+struct Argument<RenderOptions> {
+    RenderOptions options;
+    explicit Argument(Reader& in) {
+        options.threads = in.read<int>();
+        options.seconds = Argument<std::optional<double>>(in).get();
+        options.error = Argument<std::optional<Real>>(in).get();
+        options.estimate = Argument<bool>(in).get();
+    }
+    const RenderOptions& get() const { return options; }
+    void write_back(Writer&) const {}
+};
+
+// -------------------------------------------------------------------------------------------------- results
+
+template <class R>
+void write_result(Writer& out, const R& result) {
+    out(result);
+}
+template <class R>
+void write_result(Writer& out, R* result) {
+    out(result != nullptr);
+    if (result) out(*result);
+}
+
+/// What the judge adds to its own: rays, searches, and the seconds that the function took.
+void write_counts(Writer& out, double seconds);
+
+/// The table's entry for a function.
+template <auto function>
+struct AnswerOf;
+template <class R, class... P, R (*function)(P...)>
+struct AnswerOf<function> {
+    static void answer(Reader& in, Writer& out) {
+        // Braces: arguments are read from left to right.
+        std::tuple<std::unique_ptr<Argument<std::remove_cvref_t<P>>>...> arguments{
+            std::make_unique<Argument<std::remove_cvref_t<P>>>(in)...};
+        std::apply(
+            [&](auto&... argument) {
+                const Stopwatch watch;
+                if constexpr (std::is_void_v<R>) {
+                    function(argument->get()...);
+                    write_counts(out, watch.seconds());
+                    (argument->write_back(out), ...);
+                } else {
+                    const R& result = function(argument->get()...);
+                    write_counts(out, watch.seconds());
+                    (argument->write_back(out), ...);
+                    write_result(out, result);
+                }
+            },
+            arguments);
+    }
+};
+
+}  // namespace rt::grading

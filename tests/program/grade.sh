@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# A small class marked from the command line, as an instructor does it.
+# Run by `course test`, which sets COURSE_ROOT and COURSE_BUILD.
+set -eu
+# shellcheck source=tests/program/scratch/copy.sh
+. "$(dirname "$0")/scratch/copy.sh"
+course=$COURSE_BUILD/bin/course
+class=$COURSE_BUILD/scratch/"marked class"
+rm -rf "$class"
+mkdir -p "$class/submissions"
+cd "$class" || exit
+
+# Three students: all of chapter 1, all but its planes, and nothing at all.
+for student in ada ben cleo; do
+    mkdir -p "submissions/$student/chapters"
+    cp -R "$COURSE_ROOT/chapters/01_ray_casting" "submissions/$student/chapters"
+done
+cp "$COURSE_ROOT"/solutions/01_ray_casting/*.cpp submissions/ada/chapters/01_ray_casting
+cp "$COURSE_ROOT"/solutions/01_ray_casting/camera.cpp submissions/ben/chapters/01_ray_casting
+
+expect "a level that there is not" 2 "bwrap, user" "$course" grade submissions/ada --isolation moon
+expect "a format that there is not" 2 "csv" "$course" grade submissions/ada --format moon
+expect "a submission that there is not" 2 "submissions/dan: No such file" "$course" grade submissions/dan
+mkdir nobody
+expect "a directory without exercises" 2 "nobody: there is no file of an exercise" "$course" grade nobody
+expect "a rubric that is none" 2 "rubric.json:1:1" bash -c "echo moon >rubric.json; '$course' grade submissions/ada --rubric rubric.json"
+expect "the same name twice" 2 "two submissions of the same name" "$course" grade submissions/ada submissions/../submissions/ada
+
+# Boxes as good as this machine has them.
+level=bwrap
+for level in bwrap user none; do
+    "$course" grade submissions/* --chapter 01 --seed 5 --isolation $level -o marks.csv 2>said && break
+    grep -q "is not possible here" said || break
+done
+[ -s marks.csv ] || fail "the class is marked" "$(cat said)"
+marks=$(cut -d, -f1,3,4 marks.csv)
+expected="submission,earned,possible
+ada,70,70
+ben,30,70
+cleo,0,70"
+[ "$marks" = "$expected" ] || fail "each has the marks of what works" "$marks"
+
+# What was marked is not marked again, and says the same.
+cp marks.csv first.csv
+"$course" grade submissions/* --chapter 01 --seed 5 --isolation $level -o marks.csv
+cmp -s first.csv marks.csv || fail "a second run gives the same file" "$(diff first.csv marks.csv)"
+expect "the class's page" 0 "" "$course" grade submissions/* --chapter 01 --seed 5 --isolation $level --format html -o class.html
+grep -q cleo class.html || fail "the page shows everybody"
+
+cd "$COURSE_ROOT" || exit
+rm -rf "$class"
+finish
