@@ -9,7 +9,6 @@ namespace rt::test {
 
 // Set in tests/main.cpp.
 bool quick = false;
-std::uint64_t case_seed = 0;
 std::string stopped;
 
 double (*running_seconds)() = [] {

@@ -18,7 +18,7 @@ namespace rt::test {
 int cases(int full);
 
 /// Given by --seed; every Random depends on it. 0 for the cases that everybody knows.
-extern std::uint64_t case_seed;
+inline std::uint64_t case_seed = 0;
 
 /// How a call ended that gave no answer: "crashed", "timed out" or "too much memory"; empty if none did in
 /// this test. Only the autograder's judges, whose calls are answered by another process, live to say so.

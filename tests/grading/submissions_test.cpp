@@ -1,5 +1,6 @@
 // Submissions that attack the grader (attacks/submissions), each with the mark that it must get, and honest
-// ones.
+// ones. They stand after the boxes' own tests: some of those give up root, and could not read what is built
+// here.
 #include "common/grading/grader.hpp"
 #include "common/grading/isolation.hpp"
 #include "common/image/whole_file.hpp"
