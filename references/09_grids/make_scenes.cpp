@@ -227,7 +227,11 @@ std::string cloud() {
     const auto random = [&n] { return scatter(n++); };
     const auto in_ball = [&] {
         for (;;) {
-            const Vec3 p(2 * random() - 1, 2 * random() - 1, 2 * random() - 1);
+            // One after the other: in the call compilers would draw them in any order.
+            const Real z = 2 * random() - 1;
+            const Real y = 2 * random() - 1;
+            const Real x = 2 * random() - 1;
+            const Vec3 p(x, y, z);
             if (dot(p, p) < 1) return p;
         }
     };
