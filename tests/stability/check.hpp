@@ -38,6 +38,8 @@ inline void check(Tally& tally, const std::string& family, const Verdict& stable
     add(tally.naive, naive);
     INFO(family << ": " << describe(stable));
     CHECK(stable.mismatches == 0);
+    // Of other random cases than the known ones it may happen that it finds its way through all.
+    if (test::case_seed != 0) return;
     INFO("the textbook method has to fail here, else the family shows nothing");
     CHECK(naive.mismatches > 0);
 }
