@@ -137,7 +137,7 @@ void Stage::cover_tmp() {
 }
 
 void Stage::make_directory() {
-    scratch_ = "/tmp/box-XXXXXX";
+    scratch_ = "/tmp/box-" + std::string(6, 'X');  // mkdtemp puts a name that is free there
     if (!mkdtemp(scratch_.data())) refuse("/tmp");
     is_directory_ = true;
     if (!identity_.own()) return;

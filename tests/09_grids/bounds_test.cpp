@@ -103,7 +103,7 @@ TEST_CASE("a polygon's box holds the places where rays hit it, flat or not", "[g
         INFO("last corner at z = " << polygon.vertices[3].z << ", hit at " << show(point_at(ray, hit->t)));
         CHECK(contains_point(grown(bounds_of(polygon), 1e-12), point_at(ray, hit->t)));
     }
-    CHECK(hits > cases(5000) / 50);
+    CHECK(hits > cases(5000) / (rt::test::case_seed == 0 ? 20 : 50));
 }
 
 TEST_CASE("an instance's box holds its triangles", "[09.1]") {
