@@ -54,6 +54,14 @@ bool may_be_in(const Shape& shape, const Bounds& bounds, const Bounds& box) {
         return overlaps(bounds, box);
 }
 
+/// The question that may_be_in answers, of these shapes and their bounds. Given.
+template <class Shape>
+struct ShapeOverlaps {
+    std::span<const Shape> shapes;
+    std::span<const Bounds> bounds;
+    bool operator()(std::uint32_t i, const Bounds& box) const { return may_be_in(shapes[i], bounds[i], box); }
+};
+
 /// [09.5] The grid over shapes with these bounds.
 ///
 /// The margin is 2^-30 of the longest edge of the box around all, and 2^-44 of its greatest coordinate, times
@@ -80,10 +88,7 @@ Grid build_grid(std::span<const Shape> shapes, GridOptions options = {}) {
         if constexpr (requires { shape.transform; })
             options.distortion = std::max(options.distortion, distortion_of(shape.transform));
     }
-    const Overlaps overlap = [&](std::uint32_t i, const Bounds& box) {
-        return may_be_in(shapes[i], bounds[i], box);
-    };
-    return build_grid(bounds, overlap, options);
+    return build_grid(bounds, ShapeOverlaps<Shape>{shapes, bounds}, options);
 }
 
 template <class Shape>

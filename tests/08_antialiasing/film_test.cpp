@@ -194,8 +194,8 @@ TEST_CASE("what is small beside the sum is not lost, and neither is what is grea
     CHECK(color_of(pixel) == Vec3(1, 0.5, -0.5));
 }
 
-TEST_CASE("ten million samples are summed up as well as one", "[08.6]") {
-    const int n = cases(10'000'000);
+TEST_CASE("a million samples are summed up as well as one", "[08.6]") {
+    const int n = cases(1'000'000);
     FilmPixel pixel;
     Real naive = 0;
     for (int i = 0; i < n; ++i) {

@@ -30,6 +30,15 @@ Real least_distance(const std::vector<PixelSample>& samples) {
     return least;
 }
 
+/// Distance on the torus: along each axis the shorter way round.
+Real way_round(const Vec2& a, const Vec2& b) {
+    const auto along = [](Real from, Real to) {
+        const Real way = std::abs(to - from);
+        return std::min(way, 1 - way);
+    };
+    return std::hypot(along(a.x, b.x), along(a.y, b.y));
+}
+
 /// Distance in the densest packing, a honeycomb; of `count` points, one each pixel's area.
 Real densest(int count) { return std::sqrt(2 / (std::numbers::sqrt3 * count)); }
 
@@ -122,7 +131,7 @@ TEST_CASE("the distance shrinks only when 32·count darts in a row were refused"
         for (int rejected = 0; static_cast<int>(samples.size()) < count;) {
             const Vec2 thrown = random_point(random);
             const bool near = std::any_of(samples.begin(), samples.end(), [&](const Vec2& sample) {
-                return torus_distance(sample, thrown) < distance;
+                return way_round(sample, thrown) < distance;
             });
             if (!near) samples.push_back(thrown);
             rejected = near ? rejected + 1 : 0;

@@ -82,16 +82,7 @@ void Channel::send(Kind kind, std::uint32_t number, std::span<const std::byte> b
 std::optional<Message> Channel::receive(const std::function<bool()>& goes_on) {
     const auto mine = static_cast<std::uint32_t>(side);
     for (int i = 0; i < spins && control->turn.load(std::memory_order_acquire) != mine; ++i) pause_a_little();
-    control->asleep[mine].store(1);
-    while (control->turn.load() != mine) {
-        const timespec slice{0, 20'000'000};
-        const long slept = ::syscall(SYS_futex, &control->turn, FUTEX_WAIT,
-                                     static_cast<std::uint32_t>(other(side)), &slice, nullptr, 0);
-        // A worker may have written anything there.
-        if (slept != 0 && errno == EAGAIN && control->turn.load() != mine) ::usleep(1000);
-        if (control->turn.load() != mine && !goes_on()) return std::nullopt;
-    }
-    control->asleep[mine].store(0);
+    if (control->turn.load(std::memory_order_acquire) != mine && !sleep_until_it_is(mine, goes_on)) return {};
 
     Header header;
     std::memcpy(&header, part(other(side)), sizeof header);
@@ -100,6 +91,20 @@ std::optional<Message> Channel::receive(const std::function<bool()>& goes_on) {
     const std::byte* const from = part(other(side)) + page;
     message.bytes.assign(from, from + count);
     return message;
+}
+
+bool Channel::sleep_until_it_is(std::uint32_t mine, const std::function<bool()>& goes_on) {
+    control->asleep[mine].store(1);
+    while (control->turn.load() != mine) {
+        const timespec slice{0, 20'000'000};
+        const long slept = ::syscall(SYS_futex, &control->turn, FUTEX_WAIT,
+                                     static_cast<std::uint32_t>(other(side)), &slice, nullptr, 0);
+        // A worker may have written anything there.
+        if (slept != 0 && errno == EAGAIN && control->turn.load() != mine) ::usleep(1000);
+        if (control->turn.load() != mine && !goes_on()) return false;
+    }
+    control->asleep[mine].store(0);
+    return true;
 }
 
 }  // namespace rt::grading

@@ -57,6 +57,7 @@ public:
 private:
     struct Control;
     std::byte* part(Side whose) const;
+    bool sleep_until_it_is(std::uint32_t mine, const std::function<bool()>& goes_on);
 
     std::byte* memory = nullptr;
     Control* control = nullptr;

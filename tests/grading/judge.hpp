@@ -2,6 +2,7 @@
 // makes).
 #pragma once
 
+#include "chapters/09_grids/build.hpp"
 #include "common/render/render.hpp"
 #include "common/world/search.hpp"
 #include "tests/grading/channel.hpp"
@@ -105,13 +106,28 @@ inline void write_argument(Outgoing& call, const Ask& ask) {
         out(ask(shapes, in.read<Interval>()));
     });
 }
-template <class R, class... A>
-void write_argument(Outgoing& call, const std::function<R(A...)>& function) {
-    call.callback([&function](Reader& in, Writer& out) {
-        // Braces: arguments are read from left to right.
-        std::tuple<std::remove_cvref_t<A>...> arguments{in.read<std::remove_cvref_t<A>>()...};
-        out(std::apply(function, arguments));
+/// Overlaps of shapes that the worker can ask itself cross as these shapes; what they are is said first, as
+/// 1 + their place in the list of shapes, or 0 for a callback.
+template <class... Shape>
+void write_overlaps(Outgoing& call, const Overlaps& overlaps, List<Shape...>) {
+    std::uint8_t place = 0;
+    const auto write_if = [&](const auto* known) {
+        ++place;
+        if (!known) return false;
+        call.value(place);
+        call.list(known->shapes);
+        call.list(known->bounds);
+        return true;
+    };
+    if ((write_if(overlaps.target<ShapeOverlaps<Shape>>()) || ...)) return;
+    call.value(std::uint8_t{0});
+    call.callback([&overlaps](Reader& in, Writer& out) {
+        const auto shape = in.read<std::uint32_t>();
+        out(overlaps(shape, in.read<Bounds>()));
     });
+}
+inline void write_argument(Outgoing& call, const Overlaps& overlaps) {
+    write_overlaps(call, overlaps, Shapes());
 }
 inline void write_argument(Outgoing& call, RayColor color) {
     call.callback([color, &call](Reader& in, Writer& out) {

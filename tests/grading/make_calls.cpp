@@ -1,6 +1,7 @@
 // make_calls HEADER... -o DIRECTORY: reads the functions that headers declare and writes, for each of them,
-//   calls.cpp    the function as the judge's programs link it: it asks a worker;
-//   answers.cpp  the row of the worker's table that calls the real one.
+//   calls_NN.cpp  the function as the judge of chapter NN links it: it asks a worker;
+//   calls.cpp     the same for the headers that are no chapter's, which all judges link;
+//   answers.cpp   the row of the worker's table that calls the real one.
 // Headers are written as the contracts are: in namespace rt, functions declared in plain statements. What is
 // defined there (structs, templates, inline functions) is the same for both ends and needs no call. A
 // statement that it does not know is an error with its place.
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -174,24 +176,37 @@ void write(const std::string& file, const std::string& text) {
     if (!(out << text << std::flush)) throw std::runtime_error(file + ": cannot be written");
 }
 
+/// "_02" of "chapters/02_spheres/sphere.hpp", nothing of a header that is no chapter's.
+std::string chapter_of(const std::string& header) {
+    const std::string_view top = "chapters/";
+    return header.starts_with(top) ? "_" + header.substr(top.size(), 2) : "";
+}
+
 void make(const std::vector<std::string>& headers, const std::string& directory) {
-    std::string includes = "// Made by make_calls from the contracts.\n", calls, answers;
+    const std::string made = "// Made by make_calls from the contracts.\n";
+    std::string all_includes, answers;
+    std::map<std::string, std::string> includes, calls;  // by chapter
     int count = 0;
     for (const std::string& header : headers) {
-        includes += "#include \"" + header + "\"\n";
+        const std::string include = "#include \"" + header + "\"\n";
+        all_includes += include;
+        includes[chapter_of(header)] += include;
         for (const Function& f : Header(header).functions()) {
             const std::string number = std::to_string(count++);
             std::string arguments = number + ", \"" + f.name + "\"";
             for (std::size_t i = 0; i < f.types.size(); ++i) arguments += ", a" + std::to_string(i);
-            calls += f.result + " " + f.name + "(" + signature(f, true) + ") {\n    return grading::call<" +
-                     f.result + ">(" + arguments + ");\n}\n";
+            calls[chapter_of(header)] += f.result + " " + f.name + "(" + signature(f, true) +
+                                         ") {\n    return grading::call<" + f.result + ">(" + arguments +
+                                         ");\n}\n";
             answers += "    AnswerOf<static_cast<" + f.result + " (*)(" + signature(f, false) +
                        ")>(&rt::" + f.name + ")>::answer,\n";
         }
     }
-    write(directory + "/calls.cpp", includes + "#include \"tests/grading/judge.hpp\"\n\nnamespace rt {\n" +
-                                        calls + "}  // namespace rt\n");
-    write(directory + "/answers.cpp", includes +
+    for (const auto& [chapter, functions] : calls)
+        write(directory + "/calls" + chapter + ".cpp",
+              made + includes[chapter] + "#include \"tests/grading/judge.hpp\"\n\nnamespace rt {\n" +
+                  functions + "}  // namespace rt\n");
+    write(directory + "/answers.cpp", made + all_includes +
                                           "#include \"tests/grading/worker.hpp\"\n\n"
                                           "namespace rt::grading {\nnamespace {\nconst Answer table[] = {\n" +
                                           answers +

@@ -115,11 +115,19 @@ template <class T, class Use>
 decltype(auto) fields_of(T& value, Use use) {
     return with_fields(value, use);
 }
-template <class Shape, class Use>
-decltype(auto) fields_of(Group<Shape>& group, Use use) {
-    return with_fields(static_cast<Extras<Shape>&>(group), [&](auto&... extra) -> decltype(auto) {
+template <class Group, class Extras, class Use>
+decltype(auto) fields_of_group(Group& group, Extras& extras, Use use) {
+    return with_fields(extras, [&](auto&... extra) -> decltype(auto) {
         return use(extra..., group.shapes, group.primitive, group.accelerator, group.mailbox);
     });
+}
+template <class Shape, class Use>
+decltype(auto) fields_of(Group<Shape>& group, Use use) {
+    return fields_of_group(group, static_cast<Extras<Shape>&>(group), use);
+}
+template <class Shape, class Use>
+decltype(auto) fields_of(const Group<Shape>& group, Use use) {
+    return fields_of_group(group, static_cast<const Extras<Shape>&>(group), use);
 }
 
 // --------------------------------------------------------------------------------------------------- writing
@@ -148,7 +156,7 @@ public:
         else if constexpr (is_shared<T>)
             shared(value);
         else
-            fields_of(const_cast<T&>(value), [this](const auto&... field) { ((*this)(field), ...); });
+            fields_of(value, [this](const auto&... field) { ((*this)(field), ...); });
     }
 
     template <class T>

@@ -1,6 +1,7 @@
 // The worker's end of a call: reads the arguments, calls the student's function, writes down what it returns.
 #pragma once
 
+#include "chapters/09_grids/build.hpp"
 #include "common/math/stopwatch.hpp"
 #include "common/render/render.hpp"
 #include "common/world/search.hpp"
@@ -10,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -84,18 +86,38 @@ struct Argument<Ask> {
     const Ask& get() const { return ask; }
     void write_back(Writer&) const {}
 };
-template <class R, class... A>
-struct Argument<std::function<R(A...)>> {
-    std::function<R(A...)> function;
-    explicit Argument(Reader&) {
-        function = [number = next_callback()](A... argument) {
-            Writer out;
-            (out(argument), ...);
-            return Reader(call_back(number, out)).read<R>();
-        };
+/// Overlaps of shapes of ours, which this end can ask itself, or a callback: tests/grading/judge.hpp.
+template <>
+struct Argument<Overlaps> {
+    Overlaps overlaps;
+    explicit Argument(Reader& in) {
+        if (const auto place = in.read<std::uint8_t>())
+            of_shapes(in, place, Shapes());
+        else
+            overlaps = [number = next_callback()](std::uint32_t shape, const Bounds& box) {
+                Writer out;
+                out(shape);
+                out(box);
+                return Reader(call_back(number, out)).read<bool>();
+            };
     }
-    const std::function<R(A...)>& get() const { return function; }
+    const Overlaps& get() const { return overlaps; }
     void write_back(Writer&) const {}
+
+private:
+    template <class... Shape>
+    void of_shapes(Reader& in, std::uint8_t place, List<Shape...>) {
+        std::uint8_t i = 0;
+        ((++i == place ? hold<Shape>(in) : void()), ...);
+    }
+    template <class Shape>
+    void hold(Reader& in) {
+        const auto shapes = std::make_shared<Argument<std::span<const Shape>>>(in);
+        const auto bounds = std::make_shared<Argument<std::span<const Bounds>>>(in);
+        held = {shapes, bounds};
+        overlaps = ShapeOverlaps<Shape>{shapes->get(), bounds->get()};
+    }
+    std::vector<std::shared_ptr<void>> held;
 };
 template <>
 struct Argument<RayColor> {
@@ -154,11 +176,10 @@ struct AnswerOf;
 template <class R, class... P, R (*function)(P...)>
 struct AnswerOf<function> {
     static void answer(Reader& in, Writer& out) {
-        // Braces: arguments are read from left to right.
-        std::tuple<std::unique_ptr<Argument<std::remove_cvref_t<P>>>...> arguments{
-            std::make_unique<Argument<std::remove_cvref_t<P>>>(in)...};
+        std::tuple<std::optional<Argument<std::remove_cvref_t<P>>>...> arguments;
         std::apply(
             [&](auto&... argument) {
+                (argument.emplace(in), ...);
                 const Stopwatch watch;
                 if constexpr (std::is_void_v<R>) {
                     function(argument->get()...);
