@@ -77,6 +77,7 @@ void hand_on_json(CommandLine& line) {
     line.check.json = line.render.json = line.compare.json = line.explain.json = line.trace.json =
         line.export_scene.json = line.tour.json = line.references.json = line.random.json = line.report.json =
             line.handout.json = line.json;
+    if (line.json) line.grade.format = "json";
 }
 
 /// `write_error` becomes the reason why something could not be written to standard output, if that ended it.

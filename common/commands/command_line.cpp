@@ -227,17 +227,21 @@ void add_grade(CommandLine& line) {
     CLI::App* sub = add_command(line, "grade", "mark submissions, safely, by the chapters' own tests",
                                 "grade submissions/* --chapter 02 --format html -o class.html",
                                 [&line] { return run_grade(line.grade); });
-    sub->add_option("submissions", line.grade.submissions,
-                    "a directory each: a student's tree or its exercises")
-        ->required();
+    CLI::Option* submissions = sub->add_option("submissions", line.grade.submissions,
+                                               "a directory each: a student's tree or its exercises");
     sub->add_option("--chapter", line.grade.chapters, "such as 02, and again for more; default: all");
     sub->add_option("--rubric", line.grade.rubric, "a grading.json; default: the chapters' points");
     sub->add_option("--seed", line.grade.seed, "of the random cases; default: one that the class keeps")
         ->transform(whole_number(0, 1LL << 53));
     sub->add_option("--isolation", line.grade.isolation, "bwrap, user or none; default: bwrap");
+    CLI::Option* part = sub->add_option("--part", line.grade.part,
+                                        "such as 2/7: mark the second of seven parts of these submissions");
+    sub->add_option("--merge", line.grade.merge, "files of all the parts, which become those of one class")
+        ->excludes(submissions)
+        ->excludes(part);
     std::string names;
     for (const Format& format : formats()) names += (names.empty() ? "" : ", ") + std::string(format.name);
-    sub->add_option("--format", line.grade.format, names + "; default: csv");
+    sub->add_option("--format", line.grade.format, names + "; default: csv, of a part json");
     sub->add_option("-o,--output", line.grade.output, "the file; default: standard output");
     sub->group(for_instructors);
 }

@@ -137,16 +137,19 @@ struct ReportCommand {
 int run_report(const ReportCommand& command);
 
 struct GradeCommand {
-    std::vector<std::filesystem::path> submissions;  ///< a directory each
+    std::vector<std::filesystem::path> submissions;  ///< a directory each; none where parts are merged
     std::vector<std::string> chapters;               ///< their numbers; all if there are none
     std::filesystem::path rubric;                    ///< a grading.json; none: the chapters' points
     std::optional<std::uint64_t> seed;               ///< of the random cases; none: the class's own
     std::string isolation = "bwrap";
-    std::string format = "csv";
-    std::filesystem::path output;  ///< none: standard output
+    std::string part;                          ///< "2/7": of the submissions only these; empty: all
+    std::vector<std::filesystem::path> merge;  ///< parts' results, which become the class's
+    std::string format;                        ///< empty: csv, or json for a part
+    std::filesystem::path output;              ///< none: standard output
 };
 
-/// `course grade`: marks submissions and writes the results. What was marked before is not marked again.
+/// `course grade`: marks submissions and writes the results. What was marked before is not marked again. Of
+/// parts the results are the same bytes as of the whole, but for the times that marks say of themselves.
 int run_grade(const GradeCommand& command);
 
 struct ReferencesCommand {

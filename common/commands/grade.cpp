@@ -1,9 +1,9 @@
-// `course grade`: marks submissions, in boxes, by the chapters' own tests.
+// `course grade`: marks submissions, in boxes, by the chapters' own tests; a class may be marked in parts.
 #include "common/commands/commands.hpp"
 #include "common/grading/formats/formats.hpp"
 #include "common/grading/grade_json.hpp"
-#include "common/grading/grader.hpp"
 #include "common/grading/isolation.hpp"
+#include "common/grading/kept_grades.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
-#include <random>
 
 namespace rt {
 
@@ -29,73 +29,90 @@ std::vector<const Chapter*> asked_chapters(const std::vector<Chapter>& chapters,
     return asked;
 }
 
-/// Drawn once and kept, so that a whole class has the same cases, which nobody knows before.
-std::uint64_t seed_of_class(const Project& project) {
-    const fs::path file = memory(project, "grading_seed");
-    if (!fs::exists(file)) {
-        fs::create_directories(file.parent_path());
-        std::random_device device;
-        write_file(file, fmt::format("{}\n", (std::uint64_t{device()} << 21) ^ device()));
-    }
-    return std::stoull(read_file(file));
-}
-
-/// Marks that are there already: a grader that was stopped goes on where it was. One file a submission.
-class KeptGrades {
-public:
-    KeptGrades(const Project& project, std::string about)
-        : directory_(memory(project, "grades")), about_(std::move(about)) {
-        fs::create_directories(directory_);
-    }
-
-    std::optional<Grade> find(const Submission& submission) const {
-        const fs::path file = file_of(submission);
-        if (!fs::exists(file)) return {};
-        try {
-            std::vector<Grade> grades = read_grades(file.string(), read_file(file));
-            if (grades.size() == 1) return std::move(grades.front());
-        } catch (const InputError&) {
-        }
-        return {};  // damaged: marked again
-    }
-
-    void keep(const Submission& submission, const Grade& grade) const {
-        write_file(file_of(submission), grades_text({grade}));
-    }
-
-private:
-    fs::path file_of(const Submission& submission) const {
-        return directory_ /
-               (fingerprint(about_ + "\n" + submission.name + "\n" + digest_of(submission)) + ".json");
-    }
-
-    fs::path directory_;
-    std::string about_;
+/// A class's directories in the order of the submissions' names, and those names.
+struct ClassList {
+    std::vector<std::string> names;
+    std::vector<fs::path> paths;
 };
 
-/// What else a mark depends on: the tests, and all that is asked of the grader.
-std::string what_counts(const Project& project, const GraderOptions& options) {
-    std::string all =
-        fmt::format("{} {} {}", digest_of(options.rubric), options.seed, name_of(options.isolation));
-    for (const Chapter* chapter : options.chapters)
-        all += " " + fingerprint(read_file(program(project, "judge_" + chapter->number)));
-    return all;
-}
-
-std::vector<Submission> read_all(const std::vector<fs::path>& paths,
-                                 const std::vector<const Chapter*>& chapters) {
-    std::map<std::string, fs::path> names;
-    std::vector<Submission> submissions;
+ClassList class_list(const std::vector<fs::path>& paths) {
+    std::map<std::string, fs::path> by_name;
     for (const fs::path& path : paths) {
-        submissions.push_back(read_submission(path, chapters));
-        const auto [other, is_new] = names.try_emplace(submissions.back().name, path);
+        const auto [other, is_new] = by_name.try_emplace(name_of_submission(path), path);
         if (!is_new)
             throw InputError(fmt::format("{} and {}: two submissions of the same name",
                                          printable(other->second.string()), printable(path.string())));
+    }
+    ClassList list;
+    for (const auto& [name, path] : by_name) {
+        list.names.push_back(name);
+        list.paths.push_back(path);
+    }
+    return list;
+}
+
+std::vector<Submission> read_part(const ClassList& list, const std::optional<ClassPart>& part,
+                                  const std::vector<const Chapter*>& chapters) {
+    std::vector<Submission> submissions;
+    for (std::size_t i = 0; i < list.paths.size(); ++i) {
+        if (part && !is_in(*part, i)) continue;
+        submissions.push_back(read_submission(list.paths[i], chapters));
         for (const std::string& remark : submissions.back().remarks)
             say("{}: not taken: {}", printable(submissions.back().name), printable(remark));
     }
     return submissions;
+}
+
+std::vector<Grade> grades_of(const Project& project, const GraderOptions& options,
+                             const std::vector<Submission>& submissions) {
+    Grader grader(project, options);
+    const KeptGrades kept(project, options);
+    std::vector<std::optional<Grade>> grades;
+    for (const Submission& submission : submissions) grades.push_back(kept.find(submission));
+
+    // The time that remains is told from what is marked now.
+    const auto to_do = std::count(grades.begin(), grades.end(), std::nullopt);
+    std::ptrdiff_t done = 0;
+    Progress progress("Grading");
+    for (std::size_t i = 0; i < grades.size(); ++i) {
+        if (grades[i]) continue;
+        progress.update(static_cast<double>(done) / static_cast<double>(to_do),
+                        fmt::format("Grading {} of {}", done + 1, to_do));
+        grades[i] = grader.grade(submissions[i]);
+        kept.keep(submissions[i], *grades[i]);
+        ++done;
+    }
+    std::vector<Grade> all;
+    for (std::optional<Grade>& grade : grades) all.push_back(std::move(*grade));
+    return all;
+}
+
+void mark(const GradeCommand& command, const Project& project, const std::vector<Chapter>& chapters,
+          FormatRequest& results) {
+    if (command.submissions.empty())
+        throw InputError("there is nothing to mark: name the submissions' directories");
+    GraderOptions options{.chapters = asked_chapters(chapters, command.chapters),
+                          .rubric = results.rubric,
+                          .seed = command.seed.value_or(0),
+                          .isolation = isolation_named(command.isolation)};
+    const ClassList list = class_list(command.submissions);
+    if (!command.part.empty()) results.part = part_named(command.part, list.names);
+    const std::vector<Submission> submissions = read_part(list, results.part, options.chapters);
+    if (!command.seed) options.seed = seed_of_class(project);
+    results.grades = grades_of(project, options, submissions);
+}
+
+void merge(const GradeCommand& command, FormatRequest& results) {
+    std::vector<GradesFile> files;
+    for (const fs::path& file : command.merge)
+        files.push_back(read_grades_file(file.string(), read_file(file)));
+    results.grades = merged(files);
+    // What students may see, and when, is the rubric's.
+    if (!results.grades.empty() && results.grades.front().rubric != digest_of(results.rubric))
+        throw InputError(fmt::format("{}: was marked with another rubric than {}",
+                                     printable(files.front().name),
+                                     command.rubric.empty() ? "the chapters' points; --rubric names it"
+                                                            : printable(command.rubric.string())));
 }
 
 }  // namespace
@@ -103,34 +120,20 @@ std::vector<Submission> read_all(const std::vector<fs::path>& paths,
 int run_grade(const GradeCommand& command) {
     const Project project = this_project();
     const std::vector<Chapter> chapters = read_catalogue(project);
-    const Format& format = find_format(command.format);
-    GraderOptions options{.chapters = asked_chapters(chapters, command.chapters),
-                          .rubric = command.rubric.empty() ? default_rubric(chapters)
-                                                           : read_rubric(command.rubric.string(),
-                                                                         read_file(command.rubric), chapters),
-                          .seed = command.seed.value_or(0),
-                          .isolation = isolation_named(command.isolation)};
-    if (!command.seed) options.seed = seed_of_class(project);
+    const Format& format = find_format(!command.format.empty() ? command.format
+                                       : command.part.empty()  ? "csv"
+                                                               : "json");
+    FormatRequest results;
+    results.rubric = command.rubric.empty()
+                         ? default_rubric(chapters)
+                         : read_rubric(command.rubric.string(), read_file(command.rubric), chapters);
     if (!command.output.empty()) require_writable(command.output);
-    const std::vector<Submission> submissions = read_all(command.submissions, options.chapters);
-
-    Grader grader(project, options);
-    const KeptGrades kept(project, what_counts(project, options));
-    std::vector<Grade> grades;
-    {
-        Progress progress("Grading");
-        for (const Submission& submission : submissions) {
-            std::optional<Grade> grade = kept.find(submission);
-            if (!grade) {
-                grade = grader.grade(submission);
-                kept.keep(submission, *grade);
-            }
-            grades.push_back(std::move(*grade));
-            progress.update(static_cast<double>(grades.size()) / static_cast<double>(submissions.size()));
-        }
-    }
-    const std::string text = format.text(
-        {.grades = grades, .rubric = options.rubric, .at = now(), .private_words = {}, .classroom50 = {}});
+    if (command.merge.empty())
+        mark(command, project, chapters, results);
+    else
+        merge(command, results);
+    results.at = now();
+    const std::string text = format.text(results);
     if (command.output.empty())
         fmt::print("{}", text);
     else

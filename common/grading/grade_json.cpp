@@ -115,19 +115,17 @@ GradedStep step_from(const JsonValue& value) {
     return step;
 }
 
-/// "01.1, 01.2".
-std::string steps_of(const Grade& grade) {
-    std::vector<std::string> ids;
-    for (const GradedStep& step : grade.steps) ids.push_back(step.id);
-    return fmt::format("{}", fmt::join(ids, ", "));
+Json part_json(const ClassPart& part) {
+    return {{"number", part.number}, {"of", part.count}, {"list", part.list}};
 }
 
-/// Why these two cannot be of one class, or nothing.
-std::string other_class(const Grade& a, const Grade& b) {
-    if (a.rubric != b.rubric) return "another rubric";
-    if (a.seed != b.seed) return "another seed";
-    if (steps_of(a) != steps_of(b)) return "other steps";
-    return "";
+ClassPart part_from(const JsonValue& value) {
+    value.only({"number", "of", "list"});
+    ClassPart part;
+    part.count = static_cast<int>(value.at("of").whole(1, most));
+    part.number = static_cast<int>(value.at("number").whole(1, part.count));
+    part.list = value.at("list").text();
+    return part;
 }
 
 bool by_name(const Grade& a, const Grade& b) { return a.submission < b.submission; }
@@ -172,47 +170,30 @@ Grade grade_from(const JsonValue& value) {
     return grade;
 }
 
-std::string grades_text(std::vector<Grade> grades) {
+std::string grades_text(std::vector<Grade> grades, const std::optional<ClassPart>& part) {
     std::sort(grades.begin(), grades.end(), by_name);
-    std::string text = fmt::format("{{\"version\":{},\"grades\":[", version);
+    std::string text = fmt::format("{{\"version\":{},", version);
+    if (part) text += fmt::format("\"part\":{},", part_json(*part).dump());
+    text += "\"grades\":[";
     for (std::size_t i = 0; i < grades.size(); ++i)
         text += (i == 0 ? "\n" : ",\n") + to_json(grades[i]).dump();
     return text + "\n]}\n";
 }
 
-std::vector<Grade> read_grades(const std::string& file, const std::string& text) {
+GradesFile read_grades_file(const std::string& file, const std::string& text) {
     const JsonSource source = parse_json(file, text);
     const JsonValue root = root_of(source);
-    root.only({"version", "grades"});
+    root.only({"version", "part", "grades"});
     root.at("version").whole(version, version);
-    std::vector<Grade> grades;
-    for (const JsonValue& value : root.at("grades").items()) grades.push_back(grade_from(value));
-    return merged({{file, grades}});
+    GradesFile read{file, {}};
+    for (const JsonValue& value : root.at("grades").items()) read.grades.push_back(grade_from(value));
+    read.grades = merged({read});
+    if (root.has("part")) read.part = part_from(root.at("part"));
+    return read;
 }
 
-std::vector<Grade> merged(const std::vector<GradesFile>& files) {
-    std::vector<std::pair<const Grade*, const std::string*>> all;
-    for (const GradesFile& file : files)
-        for (const Grade& grade : file.grades) all.emplace_back(&grade, &file.name);
-    std::stable_sort(all.begin(), all.end(),
-                     [](const auto& a, const auto& b) { return by_name(*a.first, *b.first); });
-
-    std::vector<Grade> grades;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const Grade& grade = *all[i].first;
-        const std::string& file = *all[i].second;
-        const auto refuse = [&](const std::string& why) {
-            throw InputError(
-                printable(fmt::format("{}: the submission '{}' {}", file, grade.submission, why)));
-        };
-        if (i > 0 && all[i - 1].first->submission == grade.submission)
-            refuse(*all[i - 1].second == file ? "is there twice" : "is also in " + *all[i - 1].second);
-        if (const std::string other = other_class(*all[0].first, grade); !other.empty())
-            refuse(fmt::format("was marked with {} than '{}' in {}", other, all[0].first->submission,
-                               *all[0].second));
-        grades.push_back(grade);
-    }
-    return grades;
+std::vector<Grade> read_grades(const std::string& file, const std::string& text) {
+    return read_grades_file(file, text).grades;
 }
 
 }  // namespace rt

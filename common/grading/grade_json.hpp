@@ -1,9 +1,11 @@
 // Grades as JSON, the class's kept results: what is written is read back the same, whatever bytes it holds.
 #pragma once
 
+#include "common/grading/class_parts.hpp"
 #include "common/grading/grade.hpp"
 #include "common/grading/json_source.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,21 +19,13 @@ nlohmann::ordered_json to_json(const Grade& grade);
 Grade grade_from(const JsonValue& value);
 
 /// Kept results of a class: {"version":1,"grades":[…]}, a line a submission, in the order of their names. Of
-/// the same grades in any order the text has the same bytes.
-std::string grades_text(std::vector<Grade> grades);
+/// the same grades in any order the text has the same bytes. A part of a class says which one it is.
+std::string grades_text(std::vector<Grade> grades, const std::optional<ClassPart>& part = {});
 
 /// What `grades_text` wrote, all or nothing. Throws InputError also for a submission that is in it twice.
+GradesFile read_grades_file(const std::string& file, const std::string& text);
+
+/// Its grades alone.
 std::vector<Grade> read_grades(const std::string& file, const std::string& text);
-
-/// Kept results of parts of a class.
-struct GradesFile {
-    std::string name;  ///< for messages
-    std::vector<Grade> grades;
-};
-
-/// One class of several parts, ordered by the submissions' names. Throws InputError, a line that names both
-/// files, for a submission that is in two, and for parts that were marked by other rubrics, from other seeds
-/// or on other steps: those would not be the same class.
-std::vector<Grade> merged(const std::vector<GradesFile>& files);
 
 }  // namespace rt

@@ -75,13 +75,17 @@ std::vector<std::string> files_of_steps(const Chapter& chapter) {
     return files;
 }
 
+std::string name_of_submission(const fs::path& directory) {
+    const fs::path whole = fs::absolute(directory).lexically_normal();
+    return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
 Submission read_submission(const fs::path& directory, const std::vector<const Chapter*>& chapters) {
     const Descriptor root(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (root.number < 0)
         throw InputError(fmt::format("{}: {}", printable(directory.string()), std::strerror(errno)));
 
-    const fs::path whole = fs::absolute(directory).lexically_normal();
-    Submission submission{(whole.has_filename() ? whole : whole.parent_path()).filename().string(), {}, {}};
+    Submission submission{name_of_submission(directory), {}, {}};
     for (const Chapter* chapter : chapters) {
         for (const std::string& file : files_of_steps(*chapter)) {
             // The first of these places that has the file.

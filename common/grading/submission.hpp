@@ -28,6 +28,9 @@ std::string exercise_path(const Chapter& chapter, std::string_view file);
 /// Names of the chapter's files that students write, each once, in the order of the steps.
 std::vector<std::string> files_of_steps(const Chapter& chapter);
 
+/// What a submission in this directory is called: the directory's own name.
+std::string name_of_submission(const std::filesystem::path& directory);
+
 /// Reads the exercises of these chapters from a directory: a student's whole tree, or the exercises' files
 /// alone, in directories named as the chapters or all in one. Only regular files count; no symbolic link is
 /// followed, not even of a directory. What is missing is left out. Throws InputError if the directory cannot

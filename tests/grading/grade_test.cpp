@@ -94,6 +94,38 @@ TEST_CASE("a class in parts is the class, in whatever order they come") {
     }
 }
 
+TEST_CASE("parts of a class are all there, each once, and are read back the same") {
+    const std::vector<std::string> names{"cleo", "ada", "ben"};
+    for (const char* no_part :
+         {"", "1", "1/", "/2", "0/2", "3/2", "-1/2", "1/2/3", "a/b", "1/100001", " 1/2"})
+        CHECK(test::error_of([&] { part_named(no_part, names); }).find(no_part) != std::string::npos);
+    std::vector<GradesFile> parts;
+    for (int number = 1; number <= 5; ++number) {
+        const ClassPart part = part_named(std::to_string(number) + "/5", names);
+        CHECK(part == part_named(std::to_string(number) + "/5", {"ada", "ben", "cleo"}));
+        GradesFile file{"part" + std::to_string(number), {}, part};
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (is_in(part, i)) file.grades.push_back(test::perfect(names[i]));
+        CHECK(file.grades.size() <= 1);  // of 3 submissions and 5 parts
+        const GradesFile read = read_grades_file(file.name, grades_text(file.grades, part));
+        CHECK(read.part == part);
+        CHECK(read.grades == file.grades);
+        parts.push_back(read);
+    }
+    CHECK(merged(parts).size() == 3);
+    CHECK(merged({parts[4], parts[1], parts[3], parts[0], parts[2]}) == merged(parts));
+
+    CHECK(merge_error({parts[0], parts[3]}) == "part1 is part 1 of 5, and there is no part 2, 3, 5");
+    CHECK(merge_error({parts[0], parts[1], parts[0]}) == "part1 is part 1 of 5, and so is part1");
+    CHECK(merge_error({parts[0], {"all", {}, {}}}) == "all is no part of a class, and part1 is part 1 of 5");
+    CHECK(merge_error({parts[0], {"other", {}, part_named("2/6", names)}}) ==
+          "other is part 2 of 6, and part1 is part 1 of 5");
+    CHECK(merge_error({parts[0], {"other", {}, part_named("2/5", {"ada", "ben"})}}) ==
+          "other is a part of other submissions than part1");
+    CHECK(error_of(replaced(grades_text({}, parts[1].part), "\"number\":2", "\"number\":6"))
+              .find("part/number: expected a whole number from 1 to 5") != std::string::npos);
+}
+
 TEST_CASE("a submission that is there twice, and parts of another class, are refused in one line") {
     const Grade ada = test::perfect("ada"), bob = test::perfect("bob");
     CHECK(merge_error({{"1.json", {ada}}, {"2.json", {bob, ada}}}) ==
@@ -108,6 +140,11 @@ TEST_CASE("a submission that is there twice, and parts of another class, are ref
     other = bob;
     other.rubric = "another";
     CHECK(merge_error({{"1.json", {ada}}, {"2.json", {other}}}).find("with another rubric than 'ada'") !=
+          std::string::npos);
+    other = bob;
+    other.isolation = "none";
+    CHECK(merge_error({{"1.json", {ada}}, {"2.json", {other}}})
+              .find("at another level of isolation (none, not " + ada.isolation + ") than 'ada'") !=
           std::string::npos);
     other = bob;
     other.steps.pop_back();

@@ -1,6 +1,7 @@
 // The forms in which results leave the house, by their names.
 #include "common/grading/formats/formats.hpp"
 
+#include "common/grading/grade_json.hpp"
 #include "common/math/input_error.hpp"
 
 #include <fmt/format.h>
@@ -32,6 +33,8 @@ const std::vector<Format>& formats() {
         {"html", "one page for the instructor: the class at a glance, a page a student",
          [](Request r) { return class_page(r.grades); }},
         {"csv", "a row a submission, a column a step", [](Request r) { return csv(r.grades); }},
+        {"json", "all that is known, for the grader itself: what --part writes and --merge reads",
+         [](Request r) { return grades_text(r.grades, r.part); }},
         {"junit", "JUnit's XML: a suite a submission, a case a step",
          [](Request r) { return junit_xml(all_shown(r)); }},
         {"gradescope", "Gradescope's results.json", [](Request r) { return gradescope(only_one(r)); }},

@@ -1,9 +1,11 @@
 // The forms in which results leave the house: for systems that students read, and for the instructor.
 #pragma once
 
+#include "common/grading/class_parts.hpp"
 #include "common/grading/grade.hpp"
 #include "common/grading/shown.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +63,7 @@ struct FormatRequest {
     Moment at{};                             ///< when students read it
     std::vector<std::string> private_words;  ///< see `shown_to_student`
     Classroom50Names classroom50;
+    std::optional<ClassPart> part{};  ///< of a class that the grades are, if they are not all of it
 };
 
 struct Format {
