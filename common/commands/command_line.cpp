@@ -246,6 +246,20 @@ void add_grade(CommandLine& line) {
     sub->group(for_instructors);
 }
 
+void add_similarity(CommandLine& line) {
+    CLI::App* sub =
+        add_command(line, "similarity", "what submissions share with each other and with what is published",
+                    "similarity submissions/* --chapter 02 -o similarity.html",
+                    [&line] { return run_similarity(line.similarity); });
+    sub->add_option("submissions", line.similarity.submissions, "as of grade")->required();
+    sub->add_option("--chapter", line.similarity.chapters, "such as 02, and again for more; default: all");
+    sub->add_option("--least", line.similarity.least, "per cent from which on a pair is listed; default: 70")
+        ->transform(whole_number(0, 100));
+    sub->add_option("-o,--output", line.similarity.output,
+                    ".html, .csv or .json; default: the most similar on standard output");
+    sub->group(for_instructors);
+}
+
 void add_references(CommandLine& line) {
     CLI::App* sub = add_command(line, "references",
                                 "render the references with POV-Ray again and report any that changed",
@@ -294,8 +308,8 @@ void add_new(CommandLine& line) {
 /// In a handout, what needs solutions is not offered, and says why.
 void leave_out_in_handout(CommandLine& line) {
     if (has_solutions(this_project())) return;
-    for (const char* name : {"solution", "tour", "report", "test", "grade", "handout", "references",
-                             "exercises", "figures", "new"}) {
+    for (const char* name : {"solution", "tour", "report", "test", "grade", "similarity", "handout",
+                             "references", "exercises", "figures", "new"}) {
         CLI::App* command = line.app.get_subcommand(name);
         command->group("");
         command->callback([&line, name] {
@@ -318,9 +332,9 @@ void describe_commands(CommandLine& line) {
         "Each command has --help.");
     // In the order of --help.
     for (void (*add)(CommandLine&) :
-         {add_check, add_list, add_hint, add_reset, add_solution, add_render, add_compare, add_explain,
-          add_trace, add_export, add_tour, add_report, add_test, add_grade, add_handout, add_references,
-          add_exercises, add_figures, add_new})
+         {add_check,      add_list,    add_hint,       add_reset,     add_solution, add_render, add_compare,
+          add_explain,    add_trace,   add_export,     add_tour,      add_report,   add_test,   add_grade,
+          add_similarity, add_handout, add_references, add_exercises, add_figures,  add_new})
         add(line);
     leave_out_in_handout(line);
     refuse_empty_values(line.app);

@@ -27,6 +27,7 @@ struct CommandLine {
     ExportCommand export_scene;
     TourCommand tour;
     GradeCommand grade;
+    SimilarityCommand similarity;
     ReferencesCommand references;
     RandomReferencesCommand random;
     HandoutCommand handout;

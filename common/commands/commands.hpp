@@ -152,6 +152,17 @@ struct GradeCommand {
 /// parts the results are the same bytes as of the whole, but for the times that marks say of themselves.
 int run_grade(const GradeCommand& command);
 
+struct SimilarityCommand {
+    std::vector<std::filesystem::path> submissions;  ///< as of GradeCommand
+    std::vector<std::string> chapters;               ///< their numbers; all if there are none
+    int least = 70;                                  ///< per cent, of a pair that is listed
+    std::filesystem::path output;  ///< .html, .csv or .json; none: the most similar on standard output
+    bool json = false;
+};
+
+/// `course similarity`: what submissions share with each other, with the solution and with the variants.
+int run_similarity(const SimilarityCommand& command);
+
 struct ReferencesCommand {
     bool make = false;    ///< write what changed
     std::string chapter;  ///< number; empty: all

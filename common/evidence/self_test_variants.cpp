@@ -1,38 +1,15 @@
 // Right variants, which the tests must accept.
 #include "common/evidence/self_test.hpp"
-#include "common/image/whole_file.hpp"
 #include "common/math/counted.hpp"
 #include "common/terminal/console.hpp"
 #include "common/workbook/check.hpp"
-#include "common/workbook/mistake.hpp"
+#include "common/workbook/variants.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace rt {
-
-namespace fs = std::filesystem;
-
-namespace {
-
-/// The right variants of each program variants_NN_k of the chapter, in the order of k: those that are the
-/// k-th of their step.
-std::vector<std::vector<Mistake>> right_variants(const Project& project, const Chapter& chapter) {
-    std::vector<std::vector<Mistake>> programs;
-    std::string last;
-    std::size_t k = 0;
-    for (const fs::path& file : files_in(project.root / "tests" / chapter.name / "variants", {".variant"})) {
-        const Mistake variant = parse_mistake(read_file(file), relative(project, file));
-        k = variant.step == last ? k + 1 : 0;
-        last = variant.step;
-        if (k == programs.size()) programs.emplace_back();
-        programs[k].push_back(variant);
-    }
-    return programs;
-}
-
-}  // namespace
 
 void test_variants(const Project& project, const std::vector<Chapter>& chapters, bool quick, SelfTest& part) {
     std::vector<std::string> programs;

@@ -138,6 +138,7 @@ constexpr Elsewhere elsewhere[] = {
     {"solution", "tests/program/scratch_course.sh", "./course solution 99.1"},
     {"new", "tests/program/scratch_course.sh", "./course new 97_fresh"},
     {"grade", "tests/program/grade.sh", "grade submissions/* --chapter 01 --seed 5"},
+    {"similarity", "tests/program/similarity.sh", "similarity submissions/* --chapter 01"},
     {"handout", "tests/program/handout.sh", "handout \"$handout\" --chapters 1-5 --class"},
 };
 

@@ -2,11 +2,28 @@
 #include "common/grading/formats/parts.hpp"
 
 #include "common/math/input_error.hpp"
+#include "common/math/printable.hpp"
 #include "common/terminal/base64.hpp"
 
 #include <fmt/format.h>
 
 namespace rt {
+namespace {
+
+std::string csv_field(const std::string& text) {
+    std::string shown = printable(text);
+    if (!shown.empty() && std::string_view("=+-@\t\r").find(shown.front()) != std::string_view::npos)
+        shown.insert(0, "'");
+    if (shown.find_first_of("\",\r\n;") == std::string::npos) return shown;
+    std::string quoted = "\"";
+    for (const char c : shown) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + "\"";
+}
+
+}  // namespace
 
 void require_shown(const ShownGrade& shown) {
     if (shown.marks_from)
@@ -31,6 +48,12 @@ bool is_error(Verdict verdict) {
 }
 
 bool is_skipped(Verdict verdict) { return verdict == Verdict::Todo || verdict == Verdict::NeedsStep; }
+
+std::string csv_row(const std::vector<std::string>& fields) {
+    std::string line;
+    for (std::size_t i = 0; i < fields.size(); ++i) line += (i == 0 ? "" : ",") + csv_field(fields[i]);
+    return line + "\r\n";
+}
 
 std::string data_url(const std::string& png) { return "data:image/png;base64," + base64(png); }
 

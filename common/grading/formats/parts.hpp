@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rt {
 
@@ -24,6 +25,10 @@ std::string points_line(const GradedStep& step);
 bool is_error(Verdict verdict);
 /// Whether there was nothing to check yet.
 bool is_skipped(Verdict verdict);
+
+/// A row of a table for spreadsheets (RFC 4180). Spreadsheets run what begins like a formula, also in quotes
+/// (OWASP, "CSV Injection"), so such a field has an apostrophe in front.
+std::string csv_row(const std::vector<std::string>& fields);
 
 /// A picture as an URL that needs nothing else.
 std::string data_url(const std::string& png);
