@@ -61,7 +61,8 @@ RayColor nearest(const World& world) {
     return for_shapes(world, []<class Among>() -> RayColor { return color_of_nearest<Show, Among>; });
 }
 
-/// The material at a hit where no material has a pattern: then nobody needs to know the surface.
+/// The material at a hit where no material has a pattern. Nobody needs to know the surface then, and what the
+/// world keeps is not copied.
 const Material& plain_material(const World& world, const Hit& hit) {
     return world.materials[world.primitives[hit.primitive].material];
 }
@@ -98,13 +99,21 @@ struct TextureCoordinates {
 
 // flat
 
-/// What a thing shows without any light.
+/// What a thing shows without any light, where there are no patterns.
+struct PlainLight {
+    template <class Among>
+    static Vec3 of(const World& world, const Ray&, const Hit& hit) {
+        const Material& material = plain_material(world, hit);
+        return material.ambient + material.emission;
+    }
+};
+
+/// The same, with patterns or without.
 struct OwnLight {
     template <class Among>
     static Vec3 of(const World& world, const Ray& ray, const Hit& hit) {
-        const Material& material = world.needs.patterns
-                                       ? material_at(world, hit, Among::surface(world, ray, hit))
-                                       : plain_material(world, hit);
+        if (!world.needs.patterns) return PlainLight::of<Among>(world, ray, hit);
+        const Material material = material_at(world, hit, Among::surface(world, ray, hit));
         return material.ambient + material.emission;
     }
 };
@@ -115,24 +124,24 @@ RayColor flat(const World&) { return cast_ray_color; }
 
 // raytrace
 
-/// The same where there are no patterns.
-struct PlainLight {
-    template <class Among>
-    static Vec3 of(const World& world, const Ray&, const Hit& hit) {
-        const Material& material = plain_material(world, hit);
-        return material.ambient + material.emission;
-    }
-};
-
-/// The shading sum of SCENE_FORMAT.md, without reflection.
+/// The shading sum of SCENE_FORMAT.md, without reflection. Whether there are patterns is decided once a
+/// picture.
+template <bool patterns>
 struct SumOfLights {
     template <class Among>
     static Vec3 of(const World& world, const Ray& ray, const Hit& hit) {
         const Surface surface = Among::surface(world, ray, hit);
         const Vec3 normal = turned_to_viewer(surface.shading_normal, ray.direction);
-        const Material& material =
-            world.needs.patterns ? material_at(world, hit, surface) : plain_material(world, hit);
+        const Material& material = material_of(world, hit, surface);
         return sum_of_lights(world, surface, material, normal, -ray.direction);
+    }
+
+private:
+    static decltype(auto) material_of(const World& world, const Hit& hit, const Surface& surface) {
+        if constexpr (patterns)
+            return material_at(world, hit, surface);
+        else
+            return plain_material(world, hit);
     }
 };
 
@@ -141,7 +150,8 @@ Vec3 radiance_color(const World& world, const Ray& ray, Stream&) { return radian
 RayColor raytrace(const World& world) {
     const Needs& needs = world.needs;
     if (needs.reflection || needs.refraction) return radiance_color;
-    if (needs.lights) return nearest<SumOfLights>(world);
+    if (needs.lights)
+        return needs.patterns ? nearest<SumOfLights<true>>(world) : nearest<SumOfLights<false>>(world);
     return needs.patterns ? cast_ray_color : nearest<PlainLight>(world);
 }
 

@@ -116,7 +116,7 @@ std::uint32_t material_index(const World& world, const Hit& hit, const Surface& 
     return parity == 0 ? material : pattern.odd;
 }
 
-const Material& material_at(const World& world, const Hit& hit, const Surface& surface) {
+Material material_at(const World& world, const Hit& hit, const Surface& surface) {
     return world.materials[material_index(world, hit, surface)];
 }
 

@@ -8,20 +8,22 @@
 namespace rt {
 namespace {
 
-void shade(const World& world, TraceRecord& record) {
+/// Writes down what is seen at the hit; the surface's material.
+Material shade(const World& world, TraceRecord& record) {
     const Ray& ray = record.branch.ray;
     record.surface = surface_at(world, ray, *record.hit);
     record.normal = turned_to_viewer(record.surface.shading_normal, ray.direction);
     record.material = material_index(world, *record.hit, record.surface);
-    const Material& material = world.materials[record.material];
-    if (!row_of(world.integrator).tree) return;
+    const Material material = material_at(world, *record.hit, record.surface);
+    if (!row_of(world.integrator).tree) return material;
     record.local = material.ambient + material.emission;
-    if (!world.needs.lights) return;
+    if (!world.needs.lights) return material;
     visit_lights(world, record.surface, record.normal, [&](const LightSample& sample, const Vec3& visible) {
         const Vec3 part = reflected_light(material, record.normal, -ray.direction, sample, visible);
         record.lights.push_back({sample, visible, part});
         record.local += part;
     });
+    return material;
 }
 
 }  // namespace
@@ -46,12 +48,11 @@ std::vector<TraceRecord> trace_tree(const World& world, const Ray& ray, std::siz
         if (world.needs.absorption && around)
             record.weight *= transmitted(around->absorption, record.hit ? record.hit->t : infinity);
         if (record.hit) {
-            shade(world, record);
+            const Material material = shade(world, record);
             if (bounces) {
                 Branch arrived = record.branch;
                 arrived.weight = record.weight;
-                const Branches next =
-                    scatter(world, arrived, *record.hit, record.surface, world.materials[record.material]);
+                const Branches next = scatter(world, arrived, *record.hit, record.surface, material);
                 for (int i = next.count - 1; i >= 0; --i) {
                     TraceRecord child;
                     child.branch = next.branch[static_cast<std::size_t>(i)];

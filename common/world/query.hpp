@@ -37,8 +37,8 @@ Surface surface_at(const World& world, const Ray& ray, const Hit& hit);
 /// The material at a hit, its pattern decided: index into world.materials.
 std::uint32_t material_index(const World& world, const Hit& hit, const Surface& surface);
 
-/// The material at a hit, its pattern decided.
-const Material& material_at(const World& world, const Hit& hit, const Surface& surface);
+/// The material at a hit, its pattern decided. A value, because its numbers may be this hit's own.
+Material material_at(const World& world, const Hit& hit, const Surface& surface);
 
 /// The material of what is around a ray that is inside of these, outermost first: of the last that is not a
 /// sheet. Null where there is none: nothing is around it.

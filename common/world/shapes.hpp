@@ -78,7 +78,7 @@ inline constexpr ShapeWords words<Ellipsoid>{
     "ellipsoid with its matrices", "ellipsoids with their matrices", {"04.6", "02.3", "02.4"}};
 template <>
 inline constexpr ShapeWords words<Instance>{
-    "instance with its matrices", "instances with their matrices", {"04.6", "02.2", "03.4", "03.5"}};
+    "instance with its matrices", "instances with their matrices", {"04.6", "03.4", "03.5"}};
 
 /// The bytes that a shape owns beside its own. One that owns memory says here, or in its chapter's contract,
 /// how much.

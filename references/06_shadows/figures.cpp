@@ -110,7 +110,7 @@ Image picture(const World& world, Method method) {
             const Surface surface = surface_at(world, ray, *hit);
             const Vec3 n = dot(surface.shading_normal, ray.direction) > 0 ? -surface.shading_normal
                                                                           : surface.shading_normal;
-            const Material& material = material_at(world, *hit, surface);
+            const Material material = material_at(world, *hit, surface);
             color = emitted_light(material);
             const auto shine = [&](const LightSample& light) {
                 if (!(dot(n, light.direction) > 0)) return;

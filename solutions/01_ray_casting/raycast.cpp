@@ -14,7 +14,7 @@ Vec3 cast_ray(const World& world, const Ray& ray) {
     const std::optional<Hit> hit = closest_hit(world, ray, {0, infinity});
     if (!hit) return background(world, ray.direction);
     const Surface surface = surface_at(world, ray, *hit);
-    const Material& material = material_at(world, *hit, surface);
+    const Material material = material_at(world, *hit, surface);
     return material.ambient + material.emission;
     // [/exercise]
 }

@@ -126,7 +126,7 @@ Vec3 radiance(const World& world, const Ray& ray) {
             continue;
         }
         const Surface surface = surface_at(world, branch.ray, *hit);
-        const Material& material = material_at(world, *hit, surface);
+        const Material material = material_at(world, *hit, surface);
         const Vec3 n = turned_against(surface.shading_normal, branch.ray.direction);
         sum += branch.weight * local_light(world, surface, material, n, -branch.ray.direction);
         Branches next = scatter(world, branch, *hit, surface, material);

@@ -192,7 +192,7 @@ Vec3 glass_balls(const World& world, const Ray& ray, Stream&) {
             continue;
         }
         const Surface surface = surface_at(world, branch.ray, *hit);
-        const Material& material = material_at(world, *hit, surface);
+        const Material material = material_at(world, *hit, surface);
         const Vec3 n = towards_viewer(surface.shading_normal, branch.ray);
         sum += branch.weight * local_light(world, surface, material, n, -branch.ray.direction);
         Branches next = scatter(world, branch, *hit, surface, material);
