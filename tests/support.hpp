@@ -20,6 +20,10 @@ int cases(int full);
 /// Given by --seed; every Random depends on it. 0 for the cases that everybody knows.
 inline std::uint64_t case_seed = 0;
 
+/// What a test may demand of its random cases themselves, such as how many of them are hits: of those that
+/// everybody knows what they give, of others only what chance does not deny.
+inline int demanded(int of_known_cases, int of_others) { return case_seed == 0 ? of_known_cases : of_others; }
+
 /// How a call ended that gave no answer: "crashed", "timed out" or "too much memory"; empty if none did in
 /// this test. Only the autograder's judges, whose calls are answered by another process, live to say so.
 extern std::string stopped;

@@ -308,7 +308,7 @@ TEST_CASE("from a smooth surface rays leave on the right side of its flat triang
         steep += (d - 2 * dot(d, lean) * lean).z * from < 0;
     }
     CHECK(steep > cases(2000) / 10);  // directions that the leaning normal would send to the wrong side
-    CHECK(refused > (case_seed == 0 ? cases(2000) / 100 : 0));
+    CHECK(refused > demanded(cases(2000) / 100, 0));
 }
 
 // 07.6 ---------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 
 using namespace rt;
 using rt::test::cases;
+using rt::test::demanded;
 using rt::test::Random;
 using rt::test::show;
 
@@ -103,7 +104,7 @@ TEST_CASE("a polygon's box holds the places where rays hit it, flat or not", "[g
         INFO("last corner at z = " << polygon.vertices[3].z << ", hit at " << show(point_at(ray, hit->t)));
         CHECK(contains_point(grown(bounds_of(polygon), 1e-12), point_at(ray, hit->t)));
     }
-    CHECK(hits > cases(5000) / (rt::test::case_seed == 0 ? 20 : 50));
+    CHECK(hits > demanded(cases(5000) / 20, cases(5000) / 50));
 }
 
 TEST_CASE("an instance's box holds its triangles", "[09.1]") {

@@ -132,7 +132,7 @@ TEST_CASE("the walk is exact, and the one that adds up is not", "[09.6][stabilit
         CHECK(first_difference(cells_of(visits), truth.cells) == "");
         if (cells_of(naive::cells_along(shape, ray, *part)) != truth.cells) ++wrong_when_adding;
     }
-    CHECK(undecided < (case_seed == 0 ? all / 2 : all * 9 / 10));
+    CHECK(undecided < demanded(all / 2, all * 9 / 10));
 
     INFO("a long walk by additions has to lose its way, else nothing is shown");
     const GridShape fine{{Vec3(0), Vec3(1000)}, Cells(1000)};
