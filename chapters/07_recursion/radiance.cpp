@@ -42,6 +42,14 @@ namespace {
     return refracted;
 }
 
+/// The mirror direction where reflection is total. Inside a body the mirror is the flat triangle: smooth
+/// ones, which lean, draw rays together, and some into a ring of reflections that no ray ever leaves.
+[[maybe_unused]] Vec3 reflect_totally(const Surface& surface, const Branch& incoming, const Vec3& n,
+                                      const Media& after) {
+    const bool inside = after.size() < incoming.media.size();
+    return reflect(incoming.ray.direction, inside ? front_of(surface, incoming) : n);
+}
+
 /// Appends a ray that leaves the surface, unless nothing worth following would arrive along it. A direction
 /// that leaves the flat surface on the wrong side is mirrored at it.
 [[maybe_unused]] void add(const World& world, Branches& branches, const Branch& incoming,
@@ -70,7 +78,8 @@ Branches scatter(const World& world, const Branch& incoming, const Hit& hit, con
     // turned against the ray. An opaque material sends one mirror ray with the factor `specular`. A
     // transparent one: eta = ior(before)/ior(after) with `cross`; R = fresnel or schlick as the material
     // says; mirror factor R (specular where it says none), refracted factor (1 − R)·transmission. Where
-    // refract_at returns nothing, all light is mirrored: factor 1. `add` above keeps the books.
+    // refract_at returns nothing, all light is mirrored: factor 1, direction reflect_totally. `add` above
+    // keeps the books.
     return todo("07.5");
 }
 

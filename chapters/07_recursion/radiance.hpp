@@ -42,8 +42,8 @@ Media cross(const Media& media, Medium medium);
 ///
 /// The mirror ray leaves on the side of the *geometric* surface where `incoming` arrived, the refracted one
 /// on the other, whatever the shading normal says. Where a refracted ray that enters an object would not,
-/// there is none, as where reflection is total; any other direction on the wrong side is mirrored at the
-/// geometric surface. So no light is lost, and a closed body is left as often as it is entered.
+/// there is none, as where reflection is total. Mirrored at the geometric surface is any other direction on
+/// the wrong side, and whatever is totally reflected inside an object: so no light is lost or caught inside.
 ///
 /// A ray none of whose weights is greater than world.min_contribution is left out, and all are once
 /// incoming.depth has reached world.max_depth.

@@ -270,7 +270,7 @@ TEST_CASE("from a smooth surface rays leave on the right side of its flat triang
     const World glass = world_of("transmission 1 1 1\nior 1.5\nfresnel exact\n" + corners + pyramid);
     Random random(85);
     const Vec3 lean = normalize(Vec3(1, 0, 0.2));
-    int steep = 0, refused = 0;
+    int steep = 0, refused = 0, total = 0;
     for (int i = 0; i < cases(2000); ++i) {
         const Vec3 d = random.direction();
         if (std::abs(d.z) < 0.01) continue;  // would miss the triangle
@@ -294,6 +294,13 @@ TEST_CASE("from a smooth surface rays leave on the right side of its flat triang
                 sum += one.weight;
             }
             REQUIRE(near(sum, Vec3(1), 8 * u));  // no light is lost
+            if (leaving && next.count == 1) {
+                INFO("ray along " << show(d) << ", totally reflected along "
+                                  << show(next.branch[0].ray.direction) << " inside the glass, the triangle "
+                                  << "is z = 0");
+                REQUIRE(near(next.branch[0].ray.direction, {d.x, d.y, -d.z}, 8 * u));
+                ++total;
+            }
             if (world != &glass || leaving) continue;
             // By Snell's law for the leaning normal: does the refracted ray get through the triangle at all?
             const Vec3 n = dot(lean, d) > 0 ? -lean : lean;
@@ -309,6 +316,7 @@ TEST_CASE("from a smooth surface rays leave on the right side of its flat triang
     }
     CHECK(steep > cases(2000) / 10);  // directions that the leaning normal would send to the wrong side
     CHECK(refused > demanded(cases(2000) / 100, 0));
+    CHECK(total > demanded(cases(2000) / 100, 0));
 }
 
 // 07.6 ---------------------------------------------------------------------------------------------------
