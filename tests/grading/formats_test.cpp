@@ -304,7 +304,7 @@ TEST_CASE("the instructor's page") {
     CHECK(count("onclick=\"") == 0);
     CHECK(count("://") == 0);                      // nothing is loaded from elsewhere,
     CHECK(count("Content-Security-Policy") == 1);  // and could not be
-    CHECK(count("<article class=\"card student\"") == 2);
+    CHECK(count("<article class=\"card behind student\"") == 2);
     CHECK(count("href=\"#student-1\"") >= 3);
     CHECK(count("two roots of a far sphere") >= 2);  // the table of mistakes and the student's page
     CHECK(count("the secret check") >= 2);           // the instructor may see it
