@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace rt::povray {
 namespace {
@@ -29,19 +30,12 @@ bool is_around_part_of_view(const Scene& scene, const Object& object) {
     const Camera& camera = scene.camera;
     const auto [u, v, w] = basis_of(camera);
     const Real high = camera.view_height / 2, wide = high * scene.width / scene.height;
-    int inside = 0;
-    Box picture;
-    for (const Vec3& at :
-         {wide * u + high * v, wide * u - high * v, -wide * u + high * v, -wide * u - high * v}) {
-        const Vec3 p = camera.eye + at;
-        picture = {glm::min(picture.low, p), glm::max(picture.high, p)};
-        if (const auto* plane = std::get_if<Plane>(&object.shape)) {
-            const Plane here = moved(*plane, matrix_of(scene, object.transform));
-            inside += glm::dot(here.normal, p - here.point) < 0;
-        }
-    }
-    if (std::holds_alternative<Plane>(object.shape)) return inside % 4 != 0;
-    return overlap(box_of(scene, object), picture);
+    const Vec3 up = high * v, right = wide * u;
+    const std::array<Vec3, 4> corners{camera.eye + right + up, camera.eye + right - up,
+                                      camera.eye - right + up, camera.eye - right - up};
+    const bool all =
+        std::ranges::all_of(corners, [&](const Vec3& corner) { return surrounds(scene, object, corner); });
+    return !all && may_reach(scene, object, corners);
 }
 
 /// Our rays are all inside of what the eye is inside of, also those that an orthographic view begins beside

@@ -26,17 +26,6 @@ struct Lengths {
     Real lights = 0;  ///< the greatest distance of a point light
 };
 
-/// From the eye to the farthest corner of the object's box; to a plane, straight.
-Real reach_of(const Scene& scene, const Object& object, const Mat4& m) {
-    const Vec3& eye = scene.camera.eye;
-    if (const auto* plane = std::get_if<Plane>(&object.shape)) {
-        const Plane here = moved(*plane, m);
-        return std::abs(glm::dot(here.normal, eye - here.point));
-    }
-    const Box box = box_of(scene, object, m);
-    return glm::length(glm::max(glm::abs(box.low - eye), glm::abs(box.high - eye)));
-}
-
 Lengths lengths_of(const Scene& scene) {
     Lengths lengths;
     for (const Object& object : scene.objects) {

@@ -1,5 +1,5 @@
-// One section a shape: its statement, its box and its scaling; and where it is not as most shapes are,
-// texture coordinates, lengths and inside. To add a shape, add a section.
+// One section a shape: its statement, its texture coordinates, its box and its scaling; and where it is not
+// as most shapes are, lengths, places and inside. To add a shape, add a section.
 #include "common/povray/shapes.hpp"
 
 #include "common/povray/mesh.hpp"
@@ -9,6 +9,7 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -19,6 +20,15 @@ namespace {
 void extend(Box& box, const Mat4& m, const Vec3& p) {
     const Vec3 here(m * Vec4(p, 1));
     box = {glm::min(box.low, here), glm::max(box.high, here)};
+}
+
+bool overlap(const Box& a, const Box& b) {
+    return glm::all(glm::lessThanEqual(a.low, b.high)) && glm::all(glm::lessThanEqual(b.low, a.high));
+}
+
+/// The statement of a shape whose texture coordinates are 0 everywhere.
+std::string without_uv(const std::string& statement, const std::string& transform) {
+    return statement + transform + " texture { NoUv } }";
 }
 
 // Sphere ----------------------------------------------------------------------------------------------------
@@ -61,6 +71,10 @@ std::string open_statement(const Scene&, const Plane& plane) {
     return fmt::format("plane {{ {}, {}", triple(n), number(glm::dot(n, plane.point)));
 }
 
+std::string with_uv(const Scene& scene, const Plane& plane, const std::string& transform) {
+    return without_uv(open_statement(scene, plane), transform);
+}
+
 Box box_of(const Scene&, const Plane&, const Mat4&) { return {Vec3(-infinity), Vec3(infinity)}; }
 
 Real least_length_of(const Scene&, const Plane&, const Mat4&) { return 0; }
@@ -68,6 +82,31 @@ Real least_length_of(const Scene&, const Plane&, const Mat4&) { return 0; }
 void scale(Scene&, Plane& plane, Real factor) { plane.point *= factor; }
 
 bool contains(const Plane& plane, const Vec3& p) { return glm::dot(plane.normal, p - plane.point) < 0; }
+
+/// The plane after `m`, with a unit normal.
+Plane moved(const Plane& plane, const Mat4& m) {
+    const Mat3 directions(m);
+    return {Vec3(m * Vec4(plane.point, 1)),
+            unit_along(glm::transpose(glm::inverse(directions)) * unit_along(plane.normal))};
+}
+
+/// Straight, because there is no farthest point.
+Real reach_of(const Scene& scene, const Plane& plane, const Mat4& m) {
+    const Plane here = moved(plane, m);
+    return std::abs(glm::dot(here.normal, scene.camera.eye - here.point));
+}
+
+/// Whether one of them is on the inner side.
+bool may_reach(const Scene&, const Plane& plane, const Mat4& m, std::span<const Vec3> corners) {
+    const Plane here = moved(plane, m);
+    return std::ranges::any_of(corners, [&](const Vec3& corner) {
+        Real height = 0;
+        for (int i = 0; i < 3; ++i)
+            if (here.normal[i] != 0)  // corners may be infinitely far away
+                height += here.normal[i] * (corner[i] - here.point[i]);
+        return height <= 0;
+    });
+}
 
 // Triangle --------------------------------------------------------------------------------------------------
 
@@ -122,6 +161,10 @@ std::string open_statement(const Scene& scene, const PolygonObject& polygon) {
     return text + ", " + triple(scene.vertices[polygon.vertex.front()]);
 }
 
+std::string with_uv(const Scene& scene, const PolygonObject& polygon, const std::string& transform) {
+    return without_uv(open_statement(scene, polygon), transform);
+}
+
 Box box_of(const Scene& scene, const PolygonObject& polygon, const Mat4& m) {
     Box box;
     for (const std::uint32_t i : polygon.vertex) extend(box, m, scene.vertices[i]);
@@ -160,14 +203,23 @@ bool is_endless(const Scene& scene, const MeshObject& shown) { return !is_closed
 // What holds of most shapes ---------------------------------------------------------------------------------
 
 template <class Shape>
-std::string with_uv(const Scene& scene, const Shape& shape, const std::string& transform) {
-    return open_statement(scene, shape) + transform + " texture { NoUv } }";
-}
-
-template <class Shape>
 Real least_length_of(const Scene& scene, const Shape& shape, const Mat4& m) {
     const Box box = box_of(scene, shape, m);
     return glm::length(box.high - box.low);
+}
+
+template <class Shape>
+Real reach_of(const Scene& scene, const Shape& shape, const Mat4& m) {
+    const Vec3& eye = scene.camera.eye;
+    const Box box = box_of(scene, shape, m);
+    return glm::length(glm::max(glm::abs(box.low - eye), glm::abs(box.high - eye)));
+}
+
+template <class Shape>
+bool may_reach(const Scene& scene, const Shape& shape, const Mat4& m, std::span<const Vec3> corners) {
+    Box around;
+    for (const Vec3& corner : corners) around = {glm::min(around.low, corner), glm::max(around.high, corner)};
+    return overlap(box_of(scene, shape, m), around);
 }
 
 template <class Shape>
@@ -191,12 +243,13 @@ template <class Shape>
 constexpr bool has_section() {
     constexpr bool is_whole = requires(Scene & scene, Shape & shape, const Mat4& m) {
         open_statement(scene, shape);
+        with_uv(scene, shape, std::string());
         box_of(scene, shape, m);
         scale(scene, shape, Real(2));
     };
     static_assert(is_whole,
                   "this shape's section in common/povray/shapes.cpp is missing, or lacks one of "
-                  "open_statement, box_of and scale");
+                  "open_statement, with_uv, box_of and scale");
     return is_whole;
 }
 
@@ -231,6 +284,14 @@ Box box_of(const Scene& scene, const Object& object, const Mat4& m) {
 
 Real least_length_of(const Scene& scene, const Object& object, const Mat4& m) {
     return of_shape<Real>(object, [&](const auto& s) { return least_length_of(scene, s, m); });
+}
+
+Real reach_of(const Scene& scene, const Object& object, const Mat4& m) {
+    return of_shape<Real>(object, [&](const auto& s) { return reach_of(scene, s, m); });
+}
+
+bool may_reach(const Scene& scene, const Object& object, const Mat4& m, std::span<const Vec3> corners) {
+    return of_shape<bool>(object, [&](const auto& s) { return may_reach(scene, s, m, corners); });
 }
 
 Real own_size(const Scene& scene, const Object& object) {

@@ -4,6 +4,7 @@
 
 #include "common/scene/scene.hpp"
 
+#include <span>
 #include <string>
 
 namespace rt::povray {
@@ -25,6 +26,12 @@ Box box_of(const Scene& scene, const Object& object, const Mat4& m);
 
 /// The least length that is to be told from nothing after `m`; 0 where there is none.
 Real least_length_of(const Scene& scene, const Object& object, const Mat4& m);
+
+/// How far from the eye the shape reaches after `m`: the farthest corner of its box, but straight to a plane.
+Real reach_of(const Scene& scene, const Object& object, const Mat4& m);
+
+/// Whether a body of this shape, after `m`, may have a point of what is between the corners.
+bool may_reach(const Scene& scene, const Object& object, const Mat4& m, std::span<const Vec3> corners);
 
 /// The shape's size in its own space; 0 where it has none, or none that `scale` changes.
 Real own_size(const Scene& scene, const Object& object);

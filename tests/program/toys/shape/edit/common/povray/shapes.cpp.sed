@@ -5,6 +5,10 @@ std::string open_statement(const Scene\&, const Ball\& ball) {\
     return fmt::format("sphere {{ {}, {}", triple(ball.middle), number(ball.half_width));\
 }\
 \
+std::string with_uv(const Scene\& scene, const Ball\& ball, const std::string\& transform) {\
+    return without_uv(open_statement(scene, ball), transform);\
+}\
+\
 Box box_of(const Scene\& scene, const Ball\& ball, const Mat4\& m) {\
     return box_of(scene, Sphere{ball.middle, ball.half_width}, m);\
 }\
