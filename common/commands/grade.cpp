@@ -76,9 +76,10 @@ std::vector<Grade> grades_of(const Project& project, const GraderOptions& option
     Progress progress("Grading");
     for (std::size_t i = 0; i < grades.size(); ++i) {
         if (grades[i]) continue;
-        progress.update(static_cast<double>(done) / static_cast<double>(to_do),
-                        fmt::format("Grading {} of {}", done + 1, to_do));
-        grades[i] = grader.grade(submissions[i]);
+        grades[i] = grader.grade(submissions[i], [&](double of_this_one) {
+            progress.update((static_cast<double>(done) + of_this_one) / static_cast<double>(to_do),
+                            fmt::format("Grading {} of {}", done + 1, to_do));
+        });
         kept.keep(submissions[i], *grades[i]);
         ++done;
     }

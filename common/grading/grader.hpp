@@ -7,6 +7,7 @@
 #include "common/grading/workshop.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace rt {
@@ -16,7 +17,8 @@ struct GraderOptions {
     Rubric rubric;
     std::uint64_t seed = 0;  ///< of the tests' random cases
     Isolation isolation = Isolation::Bubblewrap;
-    double call_seconds = 10;  ///< what one call of a function may take
+    double call_seconds = 10;    ///< what one call of a function may take, where nothing else runs
+    double judge_seconds = 300;  ///< and all tests of a chapter; those that ended before count
 };
 
 class Grader {
@@ -24,8 +26,9 @@ public:
     /// Builds what all submissions share. Throws InputError if there can be no box at this level.
     Grader(const Project& project, GraderOptions options);
 
-    /// Never throws for what a submission does.
-    Grade grade(const Submission& submission);
+    /// Never throws for what a submission does. `progress` is told before each chapter how much of the
+    /// submission is marked, from 0 to 1.
+    Grade grade(const Submission& submission, const std::function<void(double)>& progress = {});
 
 private:
     void grade_chapter(const Chapter& chapter, const Submission& submission, Grade& grade);

@@ -146,3 +146,26 @@ TEST_CASE("attacks on the grader get their marks, honest work gets its own", "[a
     const Grade again = grader.grade(perfect(chapter));
     CHECK(earned(again) == possible(again));
 }
+
+TEST_CASE("whoever takes too long loses what was not yet tested, and nothing that was", "[attacks]") {
+    const std::optional<Isolation> level = best_level();
+    if (!level) return;
+    const Project project = this_project();
+    const std::vector<Chapter> chapters = read_catalogue(project);
+    const Chapter& chapter = chapters.front();
+    Grader grader(project, {.chapters = {&chapter},
+                            .rubric = default_rubric(chapters),
+                            .seed = 7,
+                            .isolation = *level,
+                            .judge_seconds = 5});
+    Submission slow = perfect(chapter);
+    std::string& text = slow.files.at(attacked);
+    const std::string task = "    // [exercise 01.4]";
+    REQUIRE(text.find(task) != std::string::npos);
+    text.insert(text.find(task), "    ::usleep(200'000);\n");
+    text.insert(0, "#include <unistd.h>\n");
+    const Grade grade = grader.grade(slow);
+    INFO(told(grade));
+    CHECK(text_of(earned(grade)) == "30");  // the camera's
+    CHECK(somebody_said(grade, "took longer than 5 s"));
+}
