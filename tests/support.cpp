@@ -2,6 +2,7 @@
 #include "tests/support.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <filesystem>
 
@@ -18,7 +19,8 @@ double (*running_seconds)() = [] {
 int cases(int full) { return quick ? std::max(1, full / 10) : full; }
 
 std::string scratch_directory() {
-    const std::filesystem::path directory = std::filesystem::path(COURSE_BUILD_DIR) / "scratch";
+    const std::filesystem::path directory =
+        std::filesystem::path(COURSE_BUILD_DIR) / "scratch" / program_invocation_short_name;
     std::filesystem::create_directories(directory);
     return directory.string();
 }

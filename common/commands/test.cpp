@@ -10,11 +10,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <mutex>
+
 namespace rt {
 
 namespace {
 
 void print(const SelfTest& part) {
+    static std::mutex one_at_a_time;
+    const std::lock_guard lock(one_at_a_time);
     for (const std::string& problem : part.problems) {
         const std::vector<std::string> lines = split_lines(printable(problem, Keep::Lines));
         for (std::size_t i = 0; i < lines.size(); ++i)
@@ -59,13 +63,18 @@ int run_test(bool quick, bool json) {
     const std::vector<Chapter> chapters = read_catalogue(project);
     std::vector<SelfTest> parts;
 
-    std::vector<std::string> programs{"test_common", "test_program", "test_grading", "test_leave_out",
-                                      "test_report"};
+    // The longest ones first: they run side by side.
+    std::vector<std::string> programs{"test_grading", "test_program", "test_common", "test_report",
+                                      "test_leave_out"};
     for (const Chapter& chapter : chapters) programs.push_back("check_" + chapter.number + "_solution");
     std::vector<std::string> good;
     parts.push_back(timed("build", json, [&](SelfTest& part) { good = built(project, programs, part); }));
-    for (const std::string& name : good)
-        parts.push_back(timed(name, json, [&](SelfTest& part) { test_program(project, name, quick, part); }));
+    std::vector<SelfTest> of_programs(good.size());
+    side_by_side(good.size(), [&](std::size_t i) {
+        of_programs[i] =
+            timed(good[i], json, [&](SelfTest& part) { test_program(project, good[i], quick, part); });
+    });
+    parts.insert(parts.end(), of_programs.begin(), of_programs.end());
 
     parts.push_back(timed("known mistakes", json,
                           [&](SelfTest& part) { test_mistakes(project, chapters, quick, part); }));

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <thread>
 
 namespace rt {
 
@@ -23,6 +25,21 @@ constexpr double program_seconds = 1800;
 void SelfTest::expect(bool good, const std::string& problem) {
     ++(good ? passed : failed);
     if (!good) problems.push_back(problem);
+}
+
+void SelfTest::add(const SelfTest& other) {
+    passed += other.passed;
+    failed += other.failed;
+    problems.insert(problems.end(), other.problems.begin(), other.problems.end());
+}
+
+void side_by_side(std::size_t count, const std::function<void(std::size_t)>& use) {
+    std::atomic<std::size_t> next = 0;
+    std::vector<std::jthread> threads;
+    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
+        threads.emplace_back([&] {
+            for (std::size_t mine; (mine = next++) < count;) use(mine);
+        });
 }
 
 std::vector<std::string> built(const Project& project, const std::vector<std::string>& programs,
@@ -75,13 +92,16 @@ void test_exercises(const Project& project, const std::vector<Chapter>& chapters
 }
 
 void test_scripts(const Project& project, SelfTest& part) {
-    for (const fs::path& script : files_in(project.root / "tests" / "program", {".sh"})) {
+    const std::vector<fs::path> scripts = files_in(project.root / "tests" / "program", {".sh"});
+    std::vector<ProcessResult> results(scripts.size());
+    side_by_side(scripts.size(), [&](std::size_t i) {
         ProcessOptions options;
         options.environment = {{"COURSE_ROOT", project.root.string()},
                                {"COURSE_BUILD", project.build.string()}};
-        const ProcessResult result = run_process({"bash", script.string()}, options);
-        part.expect(succeeded(result), relative(project, script) + "\n" + result.output);
-    }
+        results[i] = run_process({"bash", scripts[i].string()}, options);
+    });
+    for (std::size_t i = 0; i < scripts.size(); ++i)
+        part.expect(succeeded(results[i]), relative(project, scripts[i]) + "\n" + results[i].output);
 }
 
 }  // namespace rt

@@ -114,8 +114,8 @@ struct Lines {
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
     const Execution execution(command, options.environment);
     int pipe_ends[2];
-    if (pipe(pipe_ends) != 0) throw std::runtime_error("no pipe to another program could be opened");
-    for (const int end : pipe_ends) fcntl(end, F_SETFD, FD_CLOEXEC);
+    if (pipe2(pipe_ends, O_CLOEXEC) != 0)
+        throw std::runtime_error("no pipe to another program could be opened");
     const Stopwatch stopwatch;
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("no other program could be started");
