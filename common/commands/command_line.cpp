@@ -1,6 +1,7 @@
 // What can be asked for on the command line, with help and examples.
 #include "common/commands/command_line.hpp"
 
+#include "common/grading/class_script.hpp"
 #include "common/grading/formats/formats.hpp"
 #include "common/scene/integrators.hpp"
 #include "common/scene/parse.hpp"
@@ -223,10 +224,29 @@ void add_handout(CommandLine& line) {
     sub->group(for_instructors);
 }
 
+/// What was asked of `course grade` and is to be asked for each part of the class, as words.
+std::vector<std::string> part_options(const CLI::App& grade) {
+    std::vector<std::string> words;
+    for (const CLI::Option* option : grade.get_options()) {
+        const std::string name = option->get_name();
+        if (option->get_positional() || name == "--on" || name == "--parts" || name == "--format" ||
+            name == "--output" || name == "--json")
+            continue;
+        for (const std::string& value : option->results()) {
+            words.push_back(name);
+            words.push_back(value);
+        }
+    }
+    return words;
+}
+
 void add_grade(CommandLine& line) {
     CLI::App* sub = add_command(line, "grade", "mark submissions, safely, by the chapters' own tests",
-                                "grade submissions/* --chapter 02 --format html -o class.html",
-                                [&line] { return run_grade(line.grade); });
+                                "grade submissions/* --chapter 02 --format html -o class.html", [&line] {
+                                    const CLI::App& grade = *line.app.get_subcommand("grade");
+                                    line.grade.part_options = part_options(grade);
+                                    return run_grade(line.grade);
+                                });
     CLI::Option* submissions = sub->add_option("submissions", line.grade.submissions,
                                                "a directory each: a student's tree or its exercises");
     sub->add_option("--chapter", line.grade.chapters, "such as 02, and again for more; default: all");
@@ -239,6 +259,16 @@ void add_grade(CommandLine& line) {
     sub->add_option("--merge", line.grade.merge, "files of all the parts, which become those of one class")
         ->excludes(submissions)
         ->excludes(part);
+    CLI::Option* on =
+        sub->add_option("--on", line.grade.on,
+                        fmt::format("{}: write the script that marks the class on several machines by it",
+                                    fmt::join(engines(), " or ")))
+            ->excludes(part)
+            ->excludes("--merge");
+    sub->add_option("--parts", line.grade.parts,
+                    "how many the script makes; default: one for ten submissions")
+        ->transform(whole_number(1, 100'000))
+        ->needs(on);
     std::string names;
     for (const Format& format : formats()) names += (names.empty() ? "" : ", ") + std::string(format.name);
     sub->add_option("--format", line.grade.format, names + "; default: csv, of a part json");

@@ -142,14 +142,18 @@ struct GradeCommand {
     std::filesystem::path rubric;                    ///< a grading.json; none: the chapters' points
     std::optional<std::uint64_t> seed;               ///< of the random cases; none: the class's own
     std::string isolation = "bwrap";
-    std::string part;                          ///< "2/7": of the submissions only these; empty: all
+    std::string on;  ///< the engine whose script is written, instead of marking anything; empty: none
+    int parts = 0;   ///< of the script; 0: the usual ones
+    std::vector<std::string> part_options;  ///< all but these two and the results, as words of a command line
+    std::string part;                       ///< "2/7": of the submissions only these; empty: all
     std::vector<std::filesystem::path> merge;  ///< parts' results, which become the class's
     std::string format;                        ///< empty: csv, or json for a part
     std::filesystem::path output;              ///< none: standard output
 };
 
 /// `course grade`: marks submissions and writes the results. What was marked before is not marked again. Of
-/// parts the results are the same bytes as of the whole, but for the times that marks say of themselves.
+/// parts the results are the same bytes as of the whole, but for the times that marks say of themselves. With
+/// an engine it writes the script that has the parts marked there, and marks nothing.
 int run_grade(const GradeCommand& command);
 
 struct SimilarityCommand {

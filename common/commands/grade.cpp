@@ -1,5 +1,7 @@
-// `course grade`: marks submissions, in boxes, by the chapters' own tests; a class may be marked in parts.
+// `course grade`: marks submissions, in boxes, by the chapters' own tests; a class may be marked in parts,
+// here or on other machines.
 #include "common/commands/commands.hpp"
+#include "common/grading/class_script.hpp"
 #include "common/grading/formats/formats.hpp"
 #include "common/grading/grade_json.hpp"
 #include "common/grading/isolation.hpp"
@@ -36,6 +38,7 @@ struct ClassList {
 };
 
 ClassList class_list(const std::vector<fs::path>& paths) {
+    if (paths.empty()) throw InputError("there is nothing to mark: name the submissions' directories");
     std::map<std::string, fs::path> by_name;
     for (const fs::path& path : paths) {
         const auto [other, is_new] = by_name.try_emplace(name_of_submission(path), path);
@@ -88,19 +91,33 @@ std::vector<Grade> grades_of(const Project& project, const GraderOptions& option
     return all;
 }
 
-void mark(const GradeCommand& command, const Project& project, const std::vector<Chapter>& chapters,
+void mark(const GradeCommand& command, const Project& project, GraderOptions options,
           FormatRequest& results) {
-    if (command.submissions.empty())
-        throw InputError("there is nothing to mark: name the submissions' directories");
-    GraderOptions options{.chapters = asked_chapters(chapters, command.chapters),
-                          .rubric = results.rubric,
-                          .seed = command.seed.value_or(0),
-                          .isolation = isolation_named(command.isolation)};
     const ClassList list = class_list(command.submissions);
     if (!command.part.empty()) results.part = part_named(command.part, list.names);
     const std::vector<Submission> submissions = read_part(list, results.part, options.chapters);
     if (!command.seed) options.seed = seed_of_class(project);
     results.grades = grades_of(project, options, submissions);
+}
+
+/// Whatever is wrong with what is asked is said now, and not on another machine.
+std::string script_for(const GradeCommand& command, const Project& project, const Format& format,
+                       const GraderOptions& options) {
+    require_engine(command.on);
+    const ClassList list = class_list(command.submissions);
+    read_part(list, {}, options.chapters);
+    ClassScript script{.engine = command.on,
+                       .course = project.root / "course",
+                       .directory = fs::current_path(),
+                       .submissions = list.paths,
+                       .options = command.part_options,
+                       .rubric = command.rubric.string(),
+                       .parts = command.parts > 0 ? command.parts : usual_parts(list.paths.size()),
+                       .format = std::string(format.name)};
+    // All machines have the same cases.
+    if (!command.seed)
+        script.options.insert(script.options.end(), {"--seed", std::to_string(seed_of_class(project))});
+    return class_script(script);
 }
 
 void merge(const GradeCommand& command, FormatRequest& results) {
@@ -129,12 +146,21 @@ int run_grade(const GradeCommand& command) {
                          ? default_rubric(chapters)
                          : read_rubric(command.rubric.string(), read_file(command.rubric), chapters);
     if (!command.output.empty()) require_writable(command.output);
-    if (command.merge.empty())
-        mark(command, project, chapters, results);
-    else
-        merge(command, results);
-    results.at = now();
-    const std::string text = format.text(results);
+    const GraderOptions options{.chapters = asked_chapters(chapters, command.chapters),
+                                .rubric = results.rubric,
+                                .seed = command.seed.value_or(0),
+                                .isolation = isolation_named(command.isolation)};
+    std::string text;
+    if (!command.on.empty()) {
+        text = script_for(command, project, format, options);
+    } else {
+        if (command.merge.empty())
+            mark(command, project, options, results);
+        else
+            merge(command, results);
+        results.at = now();
+        text = format.text(results);
+    }
     if (command.output.empty())
         fmt::print("{}", text);
     else

@@ -25,6 +25,12 @@ mkdir nobody
 expect "a directory without exercises" 2 "nobody: there is no file of an exercise" "$course" grade nobody
 expect "a rubric that is none" 2 "rubric.json:1:1" bash -c "echo moon >rubric.json; '$course' grade submissions/ada --rubric rubric.json"
 expect "the same name twice" 2 "two submissions of the same name" "$course" grade submissions/ada submissions/../submissions/ada
+expect "an engine that there is not" 2 "parallel or slurm" "$course" grade submissions/ada --on moon
+expect "parts without an engine" 2 "--on" "$course" grade submissions/ada --parts 3
+expect "no script for a submission that there is not" 2 "submissions/dan: No such file" \
+    "$course" grade submissions/dan --on slurm
+expect "a script has all that was asked for in it" 0 "grade --chapter 01 --seed 5 --isolation none --part .*/2" \
+    "$course" grade submissions/* --seed 5 --isolation none --chapter 01 --on slurm --parts 2
 
 # Boxes as good as this machine has them.
 level=bwrap
