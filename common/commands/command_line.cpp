@@ -247,8 +247,12 @@ void add_grade(CommandLine& line) {
                                     line.grade.part_options = part_options(grade);
                                     return run_grade(line.grade);
                                 });
-    CLI::Option* submissions = sub->add_option("submissions", line.grade.submissions,
-                                               "a directory each: a student's tree or its exercises");
+    CLI::Option* submissions =
+        sub->add_option("submissions", line.grade.submissions,
+                        "a directory or an archive each: a student's tree or its exercises");
+    sub->add_option("--submitted", line.grade.submitted,
+                    "a file of lines such as ada,2027-03-01T23:59:00+01:00: when each was handed in")
+        ->needs(submissions);
     sub->add_option("--chapter", line.grade.chapters, "such as 02, and again for more; default: all");
     sub->add_option("--rubric", line.grade.rubric, "a grading.json; default: the chapters' points");
     sub->add_option("--seed", line.grade.seed, "of the random cases; default: one that the class keeps")
@@ -287,6 +291,27 @@ void add_similarity(CommandLine& line) {
         ->transform(whole_number(0, 100));
     sub->add_option("-o,--output", line.similarity.output,
                     ".html, .csv or .json; default: the most similar on standard output");
+    sub->group(for_instructors);
+}
+
+void add_autograder(CommandLine& line) {
+    CLI::App* sub = add_command(line, "autograder", "an autograder for Gradescope: a zip to upload there",
+                                "autograder autograder.zip --chapter 02",
+                                [&line] { return run_autograder(line.autograder); });
+    CLI::Option* archive = sub->add_option("archive", line.autograder.archive, "the zip that is made");
+    CLI::Option* prepare = sub->add_flag("--prepare", line.autograder.prepare,
+                                         "in Gradescope's image: build all that marking needs")
+                               ->excludes(archive);
+    sub->add_option("--mark", line.autograder.place,
+                    "in Gradescope's image: mark what is in this directory, which is /autograder")
+        ->excludes(archive)
+        ->excludes(prepare);
+    sub->add_option("--chapter", line.autograder.chapters, "such as 02, and again for more; default: all");
+    sub->add_option("--rubric", line.autograder.rubric, "a grading.json; default: the chapters' points");
+    sub->add_option("--seed", line.autograder.seed,
+                    "of the random cases; default: the one that the class keeps")
+        ->transform(whole_number(0, 1LL << 53));
+    sub->add_option("--isolation", line.autograder.isolation, "bwrap, user or none; default: user");
     sub->group(for_instructors);
 }
 
@@ -338,8 +363,8 @@ void add_new(CommandLine& line) {
 /// In a handout, what needs solutions is not offered, and says why.
 void leave_out_in_handout(CommandLine& line) {
     if (has_solutions(this_project())) return;
-    for (const char* name : {"solution", "tour", "report", "test", "grade", "similarity", "handout",
-                             "references", "exercises", "figures", "new"}) {
+    for (const char* name : {"solution", "tour", "report", "test", "grade", "similarity", "autograder",
+                             "handout", "references", "exercises", "figures", "new"}) {
         CLI::App* command = line.app.get_subcommand(name);
         command->group("");
         command->callback([&line, name] {
@@ -362,9 +387,10 @@ void describe_commands(CommandLine& line) {
         "Each command has --help.");
     // In the order of --help.
     for (void (*add)(CommandLine&) :
-         {add_check,      add_list,    add_hint,       add_reset,     add_solution, add_render, add_compare,
-          add_explain,    add_trace,   add_export,     add_tour,      add_report,   add_test,   add_grade,
-          add_similarity, add_handout, add_references, add_exercises, add_figures,  add_new})
+         {add_check,     add_list,    add_hint,       add_reset,      add_solution, add_render,
+          add_compare,   add_explain, add_trace,      add_export,     add_tour,     add_report,
+          add_test,      add_grade,   add_similarity, add_autograder, add_handout,  add_references,
+          add_exercises, add_figures, add_new})
         add(line);
     leave_out_in_handout(line);
     refuse_empty_values(line.app);

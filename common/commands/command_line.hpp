@@ -31,6 +31,7 @@ struct CommandLine {
     ReferencesCommand references;
     RandomReferencesCommand random;
     HandoutCommand handout;
+    AutograderCommand autograder;
 };
 
 /// Describes all commands to `line.app`, which fills in `line` when it parses. `line` must stay where it is.

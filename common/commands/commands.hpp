@@ -137,7 +137,8 @@ struct ReportCommand {
 int run_report(const ReportCommand& command);
 
 struct GradeCommand {
-    std::vector<std::filesystem::path> submissions;  ///< a directory each; none where parts are merged
+    std::vector<std::filesystem::path> submissions;  ///< a directory or an archive each; or parts are merged
+    std::filesystem::path submitted;                 ///< when they were handed in; or none
     std::vector<std::string> chapters;               ///< their numbers; all if there are none
     std::filesystem::path rubric;                    ///< a grading.json; none: the chapters' points
     std::optional<std::uint64_t> seed;               ///< of the random cases; none: the class's own
@@ -166,6 +167,20 @@ struct SimilarityCommand {
 
 /// `course similarity`: what submissions share with each other, with the solution and with the variants.
 int run_similarity(const SimilarityCommand& command);
+
+struct AutograderCommand {
+    std::filesystem::path archive;      ///< what is made; or none
+    bool prepare = false;               ///< or all that marking needs is built: in Gradescope's image
+    std::filesystem::path place;        ///< or what is there is marked: Gradescope's directory
+    std::vector<std::string> chapters;  ///< as of GradeCommand, here and below
+    std::filesystem::path rubric;
+    std::optional<std::uint64_t> seed;
+    std::string isolation = "user";
+    bool json = false;
+};
+
+/// `course autograder FILE`: the archive that is uploaded to Gradescope (common/grading/autograder.hpp).
+int run_autograder(const AutograderCommand& command);
 
 struct ReferencesCommand {
     bool make = false;    ///< write what changed

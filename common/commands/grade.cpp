@@ -1,11 +1,14 @@
 // `course grade`: marks submissions, in boxes, by the chapters' own tests; a class may be marked in parts,
 // here or on other machines.
 #include "common/commands/commands.hpp"
+#include "common/grading/archive.hpp"
+#include "common/grading/chosen_chapters.hpp"
 #include "common/grading/class_script.hpp"
 #include "common/grading/formats/formats.hpp"
 #include "common/grading/grade_json.hpp"
 #include "common/grading/isolation.hpp"
 #include "common/grading/kept_grades.hpp"
+#include "common/grading/submission_times.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
@@ -22,16 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<const Chapter*> asked_chapters(const std::vector<Chapter>& chapters,
-                                           const std::vector<std::string>& numbers) {
-    std::vector<const Chapter*> asked;
-    if (numbers.empty())
-        for (const Chapter& chapter : chapters) asked.push_back(&chapter);
-    for (const std::string& number : numbers) asked.push_back(&find_chapter(chapters, number));
-    return asked;
-}
-
-/// A class's directories in the order of the submissions' names, and those names.
+/// A class's directories and archives in the order of the submissions' names, and those names.
 struct ClassList {
     std::vector<std::string> names;
     std::vector<fs::path> paths;
@@ -55,11 +49,13 @@ ClassList class_list(const std::vector<fs::path>& paths) {
 }
 
 std::vector<Submission> read_part(const ClassList& list, const std::optional<ClassPart>& part,
-                                  const std::vector<const Chapter*>& chapters) {
+                                  const Project& project, const GraderOptions& options) {
+    if (std::ranges::any_of(list.paths, [](const fs::path& path) { return fs::is_regular_file(path); }))
+        prepare_boxes(project, options.isolation);  // archives are opened in them
     std::vector<Submission> submissions;
     for (std::size_t i = 0; i < list.paths.size(); ++i) {
         if (part && !is_in(*part, i)) continue;
-        submissions.push_back(read_submission(list.paths[i], chapters));
+        submissions.push_back(read_handed_in(list.paths[i], options.chapters, options.isolation));
         for (const std::string& remark : submissions.back().remarks)
             say("{}: not taken: {}", printable(submissions.back().name), printable(remark));
     }
@@ -95,7 +91,11 @@ void mark(const GradeCommand& command, const Project& project, GraderOptions opt
           FormatRequest& results) {
     const ClassList list = class_list(command.submissions);
     if (!command.part.empty()) results.part = part_named(command.part, list.names);
-    const std::vector<Submission> submissions = read_part(list, results.part, options.chapters);
+    std::vector<Submission> submissions = read_part(list, results.part, project, options);
+    if (!command.submitted.empty())
+        tell_times(submissions, command.submitted);
+    else if (!options.rubric.due.empty())
+        say("nothing counts as late: --submitted says when submissions were handed in");
     if (!command.seed) options.seed = seed_of_class(project);
     results.grades = grades_of(project, options, submissions);
 }
@@ -105,7 +105,7 @@ std::string script_for(const GradeCommand& command, const Project& project, cons
                        const GraderOptions& options) {
     require_engine(command.on);
     const ClassList list = class_list(command.submissions);
-    read_part(list, {}, options.chapters);
+    read_part(list, {}, project, options);
     ClassScript script{.engine = command.on,
                        .course = project.root / "course",
                        .directory = fs::current_path(),
@@ -146,7 +146,7 @@ int run_grade(const GradeCommand& command) {
                          ? default_rubric(chapters)
                          : read_rubric(command.rubric.string(), read_file(command.rubric), chapters);
     if (!command.output.empty()) require_writable(command.output);
-    const GraderOptions options{.chapters = asked_chapters(chapters, command.chapters),
+    const GraderOptions options{.chapters = named_chapters(chapters, command.chapters),
                                 .rubric = results.rubric,
                                 .seed = command.seed.value_or(0),
                                 .isolation = isolation_named(command.isolation)};

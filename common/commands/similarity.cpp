@@ -1,6 +1,7 @@
 // `course similarity`: what submissions share with each other, with the solution and with the variants.
 #include "common/grading/formats/similarity.hpp"
 #include "common/commands/commands.hpp"
+#include "common/grading/chosen_chapters.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
@@ -26,15 +27,6 @@ Format format_of(const fs::path& output) {
         throw InputError(
             fmt::format("{}: expected a name that ends in .html, .csv or .json", printable(output.string())));
     return found->second;
-}
-
-std::vector<const Chapter*> named_chapters(const std::vector<Chapter>& chapters,
-                                           const std::vector<std::string>& numbers) {
-    std::vector<const Chapter*> named;
-    if (numbers.empty())
-        for (const Chapter& chapter : chapters) named.push_back(&chapter);
-    for (const std::string& number : numbers) named.push_back(&find_chapter(chapters, number));
-    return named;
 }
 
 std::vector<Submission> read_class(const std::vector<fs::path>& paths,

@@ -1,4 +1,4 @@
-// Which chapters a class gets.
+// Which chapters a class gets, and which are marked.
 #include "common/grading/chosen_chapters.hpp"
 
 #include "common/math/input_error.hpp"
@@ -28,6 +28,15 @@ std::vector<Chapter> chosen_chapters(const std::vector<Chapter>& chapters, const
     for (const Chapter& chapter : chapters)
         if (chapter.number <= last.number) chosen.push_back(chapter);
     return chosen;
+}
+
+std::vector<const Chapter*> named_chapters(const std::vector<Chapter>& chapters,
+                                           const std::vector<std::string>& numbers) {
+    std::vector<const Chapter*> named;
+    if (numbers.empty())
+        for (const Chapter& chapter : chapters) named.push_back(&chapter);
+    for (const std::string& number : numbers) named.push_back(&find_chapter(chapters, number));
+    return named;
 }
 
 }  // namespace rt

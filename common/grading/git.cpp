@@ -42,7 +42,7 @@ std::string git(const std::vector<std::string>& arguments) {
     options.output_limit = std::size_t{64} << 20;
     const ProcessResult result = run_process(command, options);
     if (succeeded(result)) return result.output;
-    if (result.exit_code == 127) throw InputError("git is not installed, and a handout is a git repository");
+    if (result.exit_code == 127) throw InputError("git is not installed, and this needs it");
     throw InputError("git: " + printable(last_line(result.output)));
 }
 

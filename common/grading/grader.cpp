@@ -59,7 +59,8 @@ StepRun run_of(const Step& step, const TestReport& report) {
 Grader::Grader(const Project& project, GraderOptions options)
     : project_(project),
       options_(std::move(options)),
-      workshop_((require_possible(options_.isolation), project), options_.chapters, options_.isolation) {}
+      workshop_((prepare_boxes(project, options_.isolation), project), options_.chapters,
+                options_.isolation) {}
 
 void Grader::grade_chapter(const Chapter& chapter, const Submission& submission, Grade& grade) {
     const fs::path directory = workshop_.place() / "work" / std::to_string(graded_) / chapter.number;
@@ -88,6 +89,7 @@ Grade Grader::grade(const Submission& submission, const std::function<void(doubl
     grade.rubric = digest_of(options_.rubric);
     grade.seed = options_.seed;
     grade.isolation = name_of(options_.isolation);
+    grade.submitted = submission.submitted;
     ++graded_;
     for (std::size_t i = 0; i < options_.chapters.size(); ++i) {
         if (progress) progress(static_cast<double>(i) / static_cast<double>(options_.chapters.size()));

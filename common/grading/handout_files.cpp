@@ -1,12 +1,11 @@
 // What a handout consists of: the course's files without solutions and all that would give them away.
 #include "common/grading/handout_files.hpp"
 
-#include "common/grading/git.hpp"
+#include "common/grading/course_files.hpp"
 #include "common/grading/solution_lines.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/terminal/json_text.hpp"
-#include "common/terminal/lock.hpp"
 #include "common/terminal/template.hpp"
 #include "common/workbook/exercise.hpp"
 
@@ -40,22 +39,6 @@ bool is_handed_out(const fs::path& path, const std::set<std::string>& shown) {
     if (parts.size() == 2) return name != "changed_solutions.cmake";
     if (shown.contains(part)) return parts[2] != "mistakes" && parts[2] != "variants";
     return part == "oracle" || part == "stability";
-}
-
-/// The files of the course as from its root, without those that .gitignore names.
-std::vector<std::string> course_files(const Project& project) {
-    const fs::path index = own_directory(project) / "list.git";
-    git({"init", "--quiet", "--bare", index.string()});
-    const std::string listed =
-        git({"--git-dir=" + index.string(), "--work-tree=" + project.root.string(), "-C",
-             project.root.string(), "ls-files", "-z", "--others", "--exclude-standard"});
-    std::vector<std::string> files;
-    for (std::size_t begin = 0; begin < listed.size();) {
-        const std::size_t end = std::min(listed.find('\0', begin), listed.size());
-        files.push_back(listed.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return files;
 }
 
 /// The exercises of all chapters; those of hidden ones only where the build needs them.

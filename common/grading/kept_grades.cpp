@@ -62,8 +62,10 @@ void KeptGrades::keep(const Submission& submission, const Grade& grade) const {
 }
 
 fs::path KeptGrades::file_of(const Submission& submission) const {
-    return directory_ /
-           (fingerprint(about_ + "\n" + submission.name + "\n" + digest_of(submission)) + ".json");
+    const std::string submitted = submission.submitted ? text_of(*submission.submitted) : "";
+    return directory_ / (fingerprint(fmt::format("{}\n{}\n{}\n{}", about_, submission.name,
+                                                 digest_of(submission), submitted)) +
+                         ".json");
 }
 
 }  // namespace rt

@@ -62,6 +62,43 @@ Taken take(int directory, const std::string& path) {
     return {true, std::move(text), ""};
 }
 
+bool is_empty(const Submission& submission) { return submission.files.empty() && submission.remarks.empty(); }
+
+/// Takes what there is of these chapters' exercises at the top of a directory.
+void take_all(int directory, const std::vector<const Chapter*>& chapters, Submission& submission) {
+    for (const Chapter* chapter : chapters)
+        for (const std::string& file : files_of_steps(*chapter))
+            for (const std::string& place : places_of(*chapter, file)) {
+                Taken taken = take(directory, place);
+                if (!taken.exists) continue;
+                if (taken.text)
+                    submission.files[exercise_path(*chapter, file)] = std::move(*taken.text);
+                else
+                    submission.remarks.push_back(fmt::format("{} {}", place, taken.why_not));
+                break;
+            }
+}
+
+/// The same from the only directory below that has exercises: archives often have one in which all is.
+void take_below(const fs::path& directory, int root, const std::vector<const Chapter*>& chapters,
+                Submission& submission) {
+    std::string found;
+    for (const auto& entry : fs::directory_iterator(directory)) {
+        const std::string name = entry.path().filename().string();
+        const Descriptor below(::openat(root, name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+        if (below.number < 0) continue;
+        Submission there;
+        take_all(below.number, chapters, there);
+        if (is_empty(there)) continue;
+        if (!found.empty())
+            throw InputError(fmt::format("{}: both {} and {} have exercises", printable(directory.string()),
+                                         printable(std::min(found, name)), printable(std::max(found, name))));
+        found = name;
+        submission.files = std::move(there.files);
+        submission.remarks = std::move(there.remarks);
+    }
+}
+
 }  // namespace
 
 std::string exercise_path(const Chapter& chapter, std::string_view file) {
@@ -75,9 +112,16 @@ std::vector<std::string> files_of_steps(const Chapter& chapter) {
     return files;
 }
 
-std::string name_of_submission(const fs::path& directory) {
-    const fs::path whole = fs::absolute(directory).lexically_normal();
-    return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+std::string name_of_submission(const fs::path& path) {
+    const fs::path whole = fs::absolute(path).lexically_normal();
+    fs::path name = (whole.has_filename() ? whole : whole.parent_path()).filename();
+    if (!fs::is_regular_file(path)) return name.string();
+    name = name.stem();
+    return (name.extension() == ".tar" ? name.stem() : name).string();
+}
+
+std::vector<std::string> places_of(const Chapter& chapter, std::string_view file) {
+    return {exercise_path(chapter, file), fmt::format("{}/{}", chapter.name, file), std::string(file)};
 }
 
 Submission read_submission(const fs::path& directory, const std::vector<const Chapter*>& chapters) {
@@ -86,26 +130,16 @@ Submission read_submission(const fs::path& directory, const std::vector<const Ch
         throw InputError(fmt::format("{}: {}", printable(directory.string()), std::strerror(errno)));
 
     Submission submission{name_of_submission(directory), {}, {}};
-    for (const Chapter* chapter : chapters) {
-        for (const std::string& file : files_of_steps(*chapter)) {
-            // The first of these places that has the file.
-            for (const std::string& place :
-                 {exercise_path(*chapter, file), chapter->name + "/" + file, file}) {
-                Taken taken = take(root.number, place);
-                if (!taken.exists) continue;
-                if (taken.text)
-                    submission.files[exercise_path(*chapter, file)] = std::move(*taken.text);
-                else
-                    submission.remarks.push_back(fmt::format("{} {}", place, taken.why_not));
-                break;
-            }
-        }
-    }
-    if (submission.files.empty() && submission.remarks.empty())
-        throw InputError(fmt::format("{}: there is no file of an exercise in it, such as {}",
-                                     printable(directory.string()),
-                                     exercise_path(*chapters.front(), chapters.front()->steps.front().file)));
+    take_all(root.number, chapters, submission);
+    if (is_empty(submission)) take_below(directory, root.number, chapters, submission);
+    if (is_empty(submission)) refuse_without_exercises(directory, chapters);
     return submission;
+}
+
+void refuse_without_exercises(const fs::path& path, const std::vector<const Chapter*>& chapters) {
+    throw InputError(fmt::format("{}: there is no file of an exercise in it, such as {}",
+                                 printable(path.string()),
+                                 exercise_path(*chapters.front(), chapters.front()->steps.front().file)));
 }
 
 std::string digest_of(const Submission& submission) {

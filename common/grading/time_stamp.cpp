@@ -20,7 +20,8 @@ std::string text_of(Moment moment) {
 
 std::optional<Moment> moment_of(const std::string& text) {
     static const std::regex form(
-        "(\\d{4})-(\\d\\d)-(\\d\\d)T(\\d\\d):(\\d\\d)(?::(\\d\\d))?(?:Z|([+-])(\\d\\d):(\\d\\d))");
+        "(\\d{4})-(\\d\\d)-(\\d\\d)T(\\d\\d):(\\d\\d)(?::(\\d\\d)(?:\\.\\d+)?)?(?:Z|([+-])(\\d\\d):(\\d\\d)"
+        ")");
     std::smatch parts;
     if (!std::regex_match(text, parts, form)) return std::nullopt;
     const auto number = [&](std::size_t i) { return parts[i].matched ? std::stoi(parts[i].str()) : 0; };

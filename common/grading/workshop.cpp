@@ -1,6 +1,7 @@
 // Where submissions become programs: the course's own parts are built once, a student's files in a box.
 #include "common/grading/workshop.hpp"
 
+#include "common/grading/isolation.hpp"
 #include "common/grading/system_files.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
@@ -63,9 +64,15 @@ Box compilers_box(Isolation isolation) {
 
 }  // namespace
 
+void prepare_boxes(const Project& project, Isolation isolation) {
+    const BuildResult built = build_targets(project, {"course-box"}, "Building boxes");
+    if (!built.ok) throw InputError("boxes do not build: " + built.message);
+    require_possible(isolation);
+}
+
 Workshop::Workshop(const Project& project, const std::vector<const Chapter*>& chapters, Isolation isolation)
     : project_(project), isolation_(isolation), shared_(fs::temp_directory_path() / "course-grading") {
-    std::vector<std::string> targets{"course-box", "grading_kit"};
+    std::vector<std::string> targets{"grading_kit"};
     for (const Chapter& chapter : read_catalogue(project)) {
         numbers_.push_back(chapter.number);
         targets.push_back("grading_solution_" + chapter.number);

@@ -20,6 +20,10 @@ struct BuiltWorker {
     std::uint64_t peak_memory = 0;              ///< bytes, of the compiler
 };
 
+/// Builds the program that looks after boxes. Throws InputError, with the reason, if it does not build, or if
+/// there can be no box at this level.
+void prepare_boxes(const Project& project, Isolation isolation);
+
 class Workshop {
 public:
     /// Builds what all submissions share, and the judges of these chapters.

@@ -53,6 +53,21 @@ cmp -s first.csv marks.csv || fail "a second run gives the same file" "$(diff fi
 expect "the class's page" 0 "" "$course" grade submissions/* --chapter 01 --seed 5 --isolation $level --format html -o class.html
 grep -q cleo class.html || fail "the page shows everybody"
 
+# Archives are marked as directories are, late work as the rubric says.
+tar czf ben.tar.gz -C submissions ben
+(cd submissions/ada && bsdtar --format zip -cf ../../ada.zip chapters)
+echo '{"version": 1, "due": {"01": "2027-03-01T12:00Z"}, "late": [{"hours": 24, "percent": 50}]}' >rubric.json
+printf '%s\n' ada,2027-03-01T12:00:00Z ben,2027-03-01T14:00:00+01:00 >times.csv
+mark_archives() { "$course" grade ada.zip ben.tar.gz --chapter 01 --seed 5 --isolation $level --rubric rubric.json "$@"; }
+expect "archives" 0 "nothing counts as late: --submitted" mark_archives -o marks.csv
+[ "$(cut -d, -f1,3 marks.csv)" = "$(printf 'submission,earned\nada,70\nben,30')" ] || fail "archives have their marks" "$(cat marks.csv)"
+expect "late work" 0 "" mark_archives --submitted times.csv -o marks.csv
+[ "$(cut -d, -f1,3 marks.csv)" = "$(printf 'submission,earned\nada,70\nben,15')" ] || fail "late work has less" "$(cat marks.csv)"
+sed -i 2d times.csv
+expect "a time that is missing" 2 "times.csv: it does not say when ben was handed in" mark_archives --submitted times.csv
+echo "no archive" >dan.zip
+expect "what is no archive" 2 "dan.zip: cannot be unpacked: .*Unrecognized" "$course" grade dan.zip --isolation $level
+
 cd "$COURSE_ROOT" || exit
 rm -rf "$class"
 finish

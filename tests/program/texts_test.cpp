@@ -139,6 +139,7 @@ constexpr Elsewhere elsewhere[] = {
     {"new", "tests/program/scratch_course.sh", "./course new 97_fresh"},
     {"grade", "tests/program/grade.sh", "grade submissions/* --chapter 01 --seed 5"},
     {"similarity", "tests/program/similarity.sh", "similarity submissions/* --chapter 01"},
+    {"autograder", "tests/program/autograder.sh", "autograder autograder.zip --chapter 01 --seed 5 --rubric"},
     {"handout", "tests/program/handout.sh", "handout \"$handout\" --chapters 1-5 --class"},
 };
 
