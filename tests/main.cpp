@@ -71,8 +71,9 @@ std::string describe(const Catch::AssertionStats& stats) {
     return text.str();
 }
 
-/// Writes one line of JSON as each test case starts and one as it ends, so that whoever started the program
-/// can name the test in which it died:
+/// Writes one line of JSON for each test case that will run, then one as it starts and one as it ends, so
+/// that whoever started the program knows in which test it died and which it never came to:
+///   {"chosen":"name","steps":["02.1"]}
 ///   {"started":"name","steps":["02.1"]}
 ///   {"ended":"name","steps":["02.1"],"state":"todo|failed|passed","message":"…","missing":"02.1","stopped":"…"}
 /// and {"finished":true} after the last.
@@ -83,7 +84,15 @@ struct Report : Listener {
     std::string first_failure;
 
     void testRunStarting(const Catch::TestRunInfo&) override {
-        if (!report_file.empty()) out.open(report_file, std::ios::trunc);
+        if (report_file.empty()) return;
+        out.open(report_file, std::ios::trunc);
+        for (const auto& test : Catch::getAllTestCasesSorted(*m_config)) {
+            const Catch::TestCaseInfo& info = test.getTestCaseInfo();
+            const bool chosen = m_config->hasTestFilters()
+                                    ? Catch::matchTest(test, m_config->testSpec(), *m_config)
+                                    : !info.isHidden();
+            if (chosen) out << "{\"chosen\":" << json(info.name) << ",\"steps\":" << steps(info) << "}\n";
+        }
     }
 
     void testCaseStarting(const Catch::TestCaseInfo& info) override {

@@ -1,6 +1,8 @@
 // Helpers for all tests: how many cases, and where things are.
 #include "tests/support.hpp"
 
+#include "tests/pictures.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -15,6 +17,8 @@ std::string stopped;
 double (*running_seconds)() = [] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 };
+
+void (*pictures_differ)(const Image&, const Image&) = [](const Image&, const Image&) {};
 
 int cases(int full) { return quick ? std::max(1, full / 10) : full; }
 

@@ -8,6 +8,7 @@
 #include "common/grading/grade_json.hpp"
 #include "common/grading/isolation.hpp"
 #include "common/grading/kept_grades.hpp"
+#include "common/grading/private_words.hpp"
 #include "common/grading/submission_times.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
@@ -159,6 +160,7 @@ int run_grade(const GradeCommand& command) {
         else
             merge(command, results);
         results.at = now();
+        results.private_words = private_words(project);
         text = format.text(results);
     }
     if (command.output.empty())

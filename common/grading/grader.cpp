@@ -2,12 +2,11 @@
 #include "common/grading/grader.hpp"
 
 #include "common/grading/isolation.hpp"
-#include "common/grading/marks.hpp"
+#include "common/grading/judged.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/stopwatch.hpp"
 #include "common/terminal/lock.hpp"
 #include "common/terminal/process.hpp"
-#include "common/workbook/results.hpp"
 
 #include <fmt/format.h>
 
@@ -24,34 +23,94 @@ namespace {
 // nothing else to do (tests/grading/judge.cpp). This is for one that hangs all the same.
 constexpr double hour = 3600;
 
-TestReport judge(const Project& project, const Chapter& chapter, const fs::path& worker,
-                 const GraderOptions& options) {
-    const fs::path report = own_directory(project) / ("judge_" + chapter.number + ".jsonl");
-    fs::remove(report);
-    ProcessOptions process;
-    process.time_limit = hour;
-    process.environment = {{"COURSE_WORKER", worker.string()},
-                           {"COURSE_ISOLATION", std::string(name_of(options.isolation))},
-                           {"COURSE_CALL_SECONDS", std::to_string(options.call_seconds)},
-                           {"COURSE_JUDGE_SECONDS", std::to_string(options.judge_seconds)}};
-    run_process({program(project, "judge_" + chapter.number).string(), "--order", "decl", "--quick",
-                 "--report", report.string(), "--seed", std::to_string(options.seed)},
-                process);
-    return fs::exists(report) ? read_report(read_file(report)) : TestReport{};
+/// A judge and the worker that it is to judge.
+struct Job {
+    const Project& project;
+    const Chapter& chapter;
+    const GraderOptions& options;
+    fs::path worker;
+    fs::path pictures;  ///< where difference pictures go (tests/grading/picture.cpp)
+};
+
+std::string scenes_of(const Job& job) {
+    std::string lines;
+    for (const std::string& scene : job.chapter.scenes)
+        lines += (job.project.root / "references" / job.chapter.name / scene).string() + "\n";
+    return lines;
 }
 
-/// Which verdict a test has because of how a call ended (tests/grading/judge.cpp).
-Verdict verdict_of(const std::string& stopped) { return verdict_named(stopped).value_or(Verdict::Crashed); }
+ProcessResult run_judge(const Job& job, const std::vector<std::string>& arguments) {
+    ProcessOptions process;
+    process.time_limit = hour;
+    process.environment = {{"COURSE_WORKER", job.worker.string()},
+                           {"COURSE_ISOLATION", std::string(name_of(job.options.isolation))},
+                           {"COURSE_CALL_SECONDS", std::to_string(job.options.call_seconds)},
+                           {"COURSE_JUDGE_SECONDS", std::to_string(job.options.judge_seconds)},
+                           {"COURSE_PICTURES", job.pictures.string()},
+                           {"COURSE_SCENES", scenes_of(job)}};
+    std::vector<std::string> command{program(job.project, "judge_" + job.chapter.number).string(),
+                                     "--order",
+                                     "decl",
+                                     "--quick",
+                                     "--seed",
+                                     std::to_string(job.options.seed)};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    return run_process(command, process);
+}
 
-StepRun run_of(const Step& step, const TestReport& report) {
-    StepRun run;
-    for (const TestRun& test : report.ended) {
-        if (std::find(test.steps.begin(), test.steps.end(), step.id) == test.steps.end()) continue;
-        run.ended.push_back(test);
-        if (!test.stopped.empty() && !run.stop) run.stop = Stop{verdict_of(test.stopped), test.message, test};
+Judged judge(const Job& job, const std::vector<std::string>& tests = {}) {
+    const fs::path file = own_directory(job.project) / ("judge_" + job.chapter.number + ".jsonl");
+    fs::remove(file);
+    std::vector<std::string> arguments{"--report", file.string()};
+    arguments.insert(arguments.end(), tests.begin(), tests.end());
+    const ProcessResult result = run_judge(job, arguments);
+    Stop end{Verdict::Crashed, "the tests came to no end", {}};
+    if (result.timed_out) end = {Verdict::TimedOut, "the tests did not end", {}};
+    return read_judged(fs::exists(file) ? read_file(file) : "", end);
+}
+
+std::vector<StepRun> judge_steps(const Job& job) {
+    const Judged all = judge(job);
+    std::vector<StepRun> runs;
+    for (const Step& step : job.chapter.steps) {
+        runs.push_back(run_of(step, all));
+        if (pays_for_another(runs.back())) runs.back() = run_of(step, judge(job, {"[" + step.id + "]"}));
     }
-    if (!report.complete) run.stop = Stop{Verdict::TimedOut, "the tests did not end", report.died_in};
-    return run;
+    return runs;
+}
+
+/// What the pristine exercise in the file's place passes is no work of the student's.
+StepRun not_compiled(const StepRun& run, const std::string& error) {
+    StepRun none{{}, run.ended, Stop{Verdict::NotCompiled, error, {}}, ""};
+    none.not_ended.insert(none.not_ended.end(), run.not_ended.begin(), run.not_ended.end());
+    return none;
+}
+
+/// The picture that the test of this name has left; empty if none.
+std::string picture_of(const Job& job, const std::string& test) {
+    const fs::path file = job.pictures / (fingerprint(test) + ".png");
+    return fs::exists(file) ? read_file(file) : "";
+}
+
+/// Gives steps that failed the difference pictures of their checks. Where a chapter is written, runs to its
+/// end and has only wrong steps without any, the first of them gets the first of the chapter's
+/// pictures that is not POV-Ray's.
+void add_pictures(const Job& job, std::vector<StepRun>& runs) {
+    StepRun* first_wrong = nullptr;
+    bool draws = true, has_one = false;
+    for (StepRun& run : runs) {
+        draws = draws && !run.stop;
+        for (const TestRun& test : run.ended) {
+            draws = draws && test.state != State::Todo;
+            if (test.state != State::Failed) continue;
+            if (!first_wrong) first_wrong = &run;
+            if (run.difference.empty()) run.difference = picture_of(job, test.name);
+        }
+        has_one = has_one || !run.difference.empty();
+    }
+    if (!draws || !first_wrong || has_one) return;
+    run_judge(job, {"[picture]"});
+    first_wrong->difference = picture_of(job, "the chapter's pictures are POV-Ray's");
 }
 
 }  // namespace
@@ -67,15 +126,19 @@ void Grader::grade_chapter(const Chapter& chapter, const Submission& submission,
     fs::create_directories(directory);
     const BuiltWorker worker = workshop_.build(chapter, submission, directory);
     grade.peak_bytes = std::max(grade.peak_bytes, static_cast<std::int64_t>(worker.peak_memory));
-    TestReport report;
-    if (!worker.program.empty()) report = judge(project_, chapter, worker.program, options_);
+    std::vector<StepRun> runs(chapter.steps.size());
+    if (!worker.program.empty()) {
+        const Job job{project_, chapter, options_, worker.program, directory / "pictures"};
+        fs::create_directory(job.pictures);
+        runs = judge_steps(job);
+        if (worker.errors.empty()) add_pictures(job, runs);
+    }
     const int late = late_percent(options_.rubric, chapter.number, grade.submitted);
-    for (const Step& step : chapter.steps) {
-        StepRun run = run_of(step, report);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const Step& step = chapter.steps[i];
         const auto error = worker.errors.find(step.file);
-        if (error != worker.errors.end())
-            run = {{}, run.ended, Stop{Verdict::NotCompiled, error->second, {}}, ""};
-        grade.steps.push_back(marked(chapter, step, options_.rubric.steps.at(step.id), late, run));
+        if (error != worker.errors.end()) runs[i] = not_compiled(runs[i], error->second);
+        grade.steps.push_back(marked(chapter, step, options_.rubric.steps.at(step.id), late, runs[i]));
     }
     std::error_code ignored;
     fs::remove_all(directory.parent_path(), ignored);

@@ -54,7 +54,7 @@ std::optional<FailedCheck> failure_of(const std::string& step, const std::vector
         failure = {result.message.substr(0, newline),
                    result.message.substr(std::min(newline + 1, result.message.size()))};
     }
-    if (!stop) return failure;
+    if (!stop || (failure && failure->said == stop->why)) return failure;
     if (!failure) return FailedCheck{stop->during ? stop->during->name : "", stop->why};
     failure->said += "\nAfter that: " + stop->why;
     return failure;

@@ -19,17 +19,23 @@ bool in_name(char c) {
            c == '.' || c == '+';
 }
 
-/// Of paths from the machine's root, such as /home/somebody/x.cpp, only the last name. A quotient, a relative
-/// path and the root's own files stay as they are.
+/// Stands for a private word.
+constexpr std::string_view instead = "…";
+
+/// Of paths from the machine's root, such as /home/somebody/x.cpp, and of what follows a private word as a
+/// path, only the last name. A quotient, a relative path and the root's own files stay as they are.
 std::string without_directories(const std::string& text) {
     std::string shown;
     for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool follows = text[i] == '/' && std::string_view(text).substr(0, i).ends_with(instead);
         const bool begins =
-            text[i] == '/' && (i == 0 || (!in_name(text[i - 1]) && text[i - 1] != ')' && text[i - 1] != ']'));
+            follows || (text[i] == '/' &&
+                        (i == 0 || (!in_name(text[i - 1]) && text[i - 1] != ')' && text[i - 1] != ']')));
         std::size_t end = i, last = i;  // of the path that may begin here, and of its last name
         for (; begins && end < text.size() && (in_name(text[end]) || text[end] == '/'); ++end)
             if (text[end] == '/' && end + 1 < text.size() && in_name(text[end + 1])) last = end + 1;
         if (last > i + 1) {
+            if (follows) shown += '/';
             shown += text.substr(last, end - last);
             i = end - 1;
         } else {
@@ -40,7 +46,6 @@ std::string without_directories(const std::string& text) {
 }
 
 std::string without_words(std::string text, const std::vector<std::string>& words) {
-    const std::string instead = "…";
     for (const std::string& word : words) {
         if (word.empty()) continue;
         for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {

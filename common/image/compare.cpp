@@ -102,4 +102,10 @@ Image difference(const Image& image, const Image& reference, Real gain) {
     return result;
 }
 
+Real visible_gain(const Comparison& comparison) {
+    // A typical difference then becomes a middle grey, and a few large ones do not hide it.
+    if (comparison.rmse <= 0) return 1;
+    return std::clamp(std::exp2(std::floor(std::log2(0.25 / comparison.rmse))), Real(1), Real(4096));
+}
+
 }  // namespace rt

@@ -31,11 +31,18 @@ struct Comparison {
     int worst_y = 0;
 };
 
+/// Share of the pixels of two pictures that must be alike if the pictures are to be the same. At the rest, on
+/// a silhouette or a shadow's edge, two right programs may see different things.
+inline constexpr Real same_share = 0.999;
+
 /// Compares two images of at least one pixel; throws InputError, naming both sizes, if the sizes differ.
 Comparison compare(const Image& image, const Image& reference, const Display& display = {});
 
 /// |image − reference| a pixel and channel, as `compare` measures it, times `gain`, for the eye.
 /// Throws InputError if the sizes differ.
 Image difference(const Image& image, const Image& reference, Real gain = 1);
+
+/// A power of two that makes the difference of two images visible, at least 1.
+Real visible_gain(const Comparison& comparison);
 
 }  // namespace rt

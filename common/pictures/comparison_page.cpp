@@ -39,12 +39,6 @@ std::string percent(Real fraction) {
 
 }  // namespace
 
-Real visible_gain(const Comparison& comparison) {
-    // A typical difference then becomes a middle grey, and a few large ones do not hide it.
-    if (comparison.rmse <= 0) return 1;
-    return std::clamp(std::exp2(std::floor(std::log2(0.25 / comparison.rmse))), Real(1), Real(4096));
-}
-
 std::string comparison_page(const Image& image, const Image& reference, const Comparison& comparison,
                             std::string_view image_name, std::string_view reference_name) {
     const Real gain = visible_gain(comparison);

@@ -1,9 +1,15 @@
 // What a student may see of a grade: nothing of hidden checks, of directories or of the machine.
 #include "common/grading/shown.hpp"
 #include "common/grading/grade_json.hpp"
+#include "common/grading/private_words.hpp"
 #include "tests/catch.hpp"
 #include "tests/grading/examples.hpp"
 
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
 using namespace rt;
 
 namespace {
@@ -54,6 +60,22 @@ TEST_CASE("directories of the machine are left out, and nothing that only looks 
 TEST_CASE("private words are left out where they stand as words") {
     CHECK(shown_text("on host17, by /srv/my course/x.cpp of al: also", {"host17", "/srv/my course", "al"}) ==
           "on …, by …/x.cpp of …: also");
+    CHECK(shown_text("in /srv/my course/build/work/12/x.cpp, …/a", {"/srv/my course"}) == "in …/x.cpp, …/a");
+}
+
+TEST_CASE("what is private is known: directories, the machine and who uses it") {
+    const Project project = this_project();
+    const std::vector<std::string> words = private_words(project);
+    for (const std::string& word :
+         {project.root.string(), project.build.string(), fs::temp_directory_path().string()})
+        CHECK(std::count(words.begin(), words.end(), word) == 1);
+    char host[256] = "";
+    REQUIRE(gethostname(host, sizeof host - 1) == 0);
+    CHECK(shown_text("by the host " + std::string(host) + ", in " + project.build.string() + "/a/b.txt",
+                     words) == (host == std::string("localhost") ? "by the host localhost, in …/b.txt"
+                                                                 : "by the host …, in …/b.txt"));
+    // Of two quadratic roots the smaller must stay readable to who is marked by root.
+    CHECK(shown_text("the smaller root", words) == "the smaller root");
 }
 
 TEST_CASE("a step is explained in some lines") {

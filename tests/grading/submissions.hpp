@@ -1,0 +1,35 @@
+// Submissions for tests of the grader, and what came of them.
+#pragma once
+
+#include "common/grading/grade.hpp"
+#include "common/grading/grader.hpp"
+#include "common/grading/isolation.hpp"
+#include "common/grading/submission.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rt::test {
+
+/// The best level that this machine can do; nothing where it can have no boxes, which is said once.
+std::optional<Isolation> best_level();
+
+/// What everybody who solved these chapters would hand in.
+Submission perfect(const std::vector<const Chapter*>& chapters);
+
+/// Changes a file of the submission as a `.mistake` or `.variant` file says it.
+void change(Submission& submission, const Chapter& chapter, const std::string& text,
+            const std::string& name = "change");
+
+/// The same with a file of tests/NN_name, such as "mistakes/02.1_unsorted_roots.mistake".
+void change_as(Submission& submission, const Chapter& chapter, const std::string& file);
+
+/// A line a step: its points, its verdict, and what it says.
+std::string told(const Grade& grade);
+
+/// Whether the failure of some step contains this text.
+bool somebody_said(const Grade& grade, std::string_view text);
+
+}  // namespace rt::test
