@@ -17,7 +17,7 @@ namespace rt {
 /// `course`: the chapters, and the one next action.
 int run_status(bool json);
 
-/// `course list`: chapters and steps with titles, points and state.
+/// `course list`: chapters and steps with titles, hours, points and state.
 int run_list(bool json);
 
 // ---------------------------------------------------------------- learning

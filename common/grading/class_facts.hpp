@@ -1,7 +1,7 @@
 // What students read about their class: the course's name, who teaches it, and when chapters are due.
 #pragma once
 
-#include "common/grading/json_source.hpp"
+#include "common/terminal/json_source.hpp"
 #include "common/workbook/catalogue.hpp"
 
 #include <nlohmann/json.hpp>

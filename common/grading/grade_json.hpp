@@ -3,7 +3,7 @@
 
 #include "common/grading/class_parts.hpp"
 #include "common/grading/grade.hpp"
-#include "common/grading/json_source.hpp"
+#include "common/terminal/json_source.hpp"
 
 #include <optional>
 #include <string>

@@ -64,6 +64,7 @@ ordered_json rows_of(const std::vector<Chapter>& chapters, const ClassFacts& abo
                         {"number", std::to_string(std::stoi(chapter.number))},
                         {"title", chapter.title},
                         {"summary", chapter.summary},
+                        {"hours", std::to_string(chapter.hours)},
                         {"has_due", !about.due.empty()},
                         {"due", due == about.due.end() ? "" : due->second}});
     }

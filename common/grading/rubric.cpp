@@ -2,7 +2,7 @@
 // when.
 #include "common/grading/rubric.hpp"
 
-#include "common/grading/json_source.hpp"
+#include "common/terminal/json_source.hpp"
 #include "common/terminal/project.hpp"
 
 #include <fmt/format.h>

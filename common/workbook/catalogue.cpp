@@ -1,113 +1,85 @@
-// The chapters as their chapter.json describe them: steps, hints, points and scenes.
+// The chapters as their chapter.json describe them: steps, hints, points, hours and scenes.
 #include "common/workbook/catalogue.hpp"
 
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/terminal/json_source.hpp"
 #include "common/workbook/exercise.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
-#include <set>
 
 namespace rt {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 namespace {
 
-/// A chapter.json being read: its name for messages, and where in it we are.
-struct Source {
-    std::string file;
-
-    [[noreturn]] void fail(const std::string& key, const std::string& what) const {
-        throw InputError(file + ": " + key + ": " + what);
-    }
-};
-
-const json& member(const Source& source, const json& object, const std::string& path, const char* key) {
-    if (!object.is_object()) source.fail(path.empty() ? "the file" : path, "expected an object");
-    const auto found = object.find(key);
-    if (found == object.end()) source.fail(path.empty() ? key : path + "." + key, "is missing");
-    return *found;
+/// A text that is not empty.
+std::string some_text(const JsonValue& value) {
+    const std::string text = value.text();
+    if (text.empty()) value.fail("expected a text");
+    return text;
 }
 
-std::string text(const Source& source, const json& object, const std::string& path, const char* key) {
-    const json& value = member(source, object, path, key);
-    const std::string full = path.empty() ? key : path + "." + key;
-    if (!value.is_string() || value.get<std::string>().empty()) source.fail(full, "expected a text");
-    return value.get<std::string>();
+/// The texts of a list; none is empty.
+std::vector<std::string> texts(const JsonValue& list) {
+    std::vector<std::string> all;
+    for (const JsonValue& text : list.items()) all.push_back(some_text(text));
+    return all;
 }
 
-std::vector<std::string> texts(const Source& source, const json& object, const std::string& path,
-                               const char* key) {
-    const json& value = member(source, object, path, key);
-    const std::string full = path.empty() ? key : path + "." + key;
-    const bool good = value.is_array() && std::all_of(value.begin(), value.end(), [](const json& entry) {
-                          return entry.is_string() && !entry.get<std::string>().empty();
-                      });
-    if (!good) source.fail(full, "expected a list of texts");
-    return value.get<std::vector<std::string>>();
+/// Whether the chapter has a file to be written with this name. Before its exercises are generated for the
+/// first time, and after a student has deleted it, a chapter has only the file's original.
+bool has_exercise(const fs::path& root, const Chapter& chapter, const std::string& file) {
+    for (const char* room : {"chapters", "solutions", ".course/pristine"})
+        if (fs::exists(root / room / chapter.name / file)) return true;
+    return false;
 }
 
-void refuse_unknown(const Source& source, const json& object, const std::string& path,
-                    const std::set<std::string>& known) {
-    for (const auto& [key, value] : object.items())
-        if (!known.contains(key)) source.fail(path.empty() ? key : path + "." + key, "is not known");
-}
-
-Step read_step(const Source& source, const json& entry, const std::string& path, const Chapter& chapter,
-               const fs::path& directory) {
+Step read_step(const JsonValue& entry, const Chapter& chapter, const fs::path& root) {
+    entry.only({"id", "title", "file", "points", "hints"});
     Step step;
-    step.id = text(source, entry, path, "id");
+    const JsonValue id = entry.at("id");
+    step.id = id.text();
     if (!is_step_id(step.id) || !step.id.starts_with(chapter.number + "."))
-        source.fail(path + ".id", fmt::format("'{}' is not a step of chapter {}; expected '{}.N'", step.id,
-                                              chapter.number, chapter.number));
+        id.fail(fmt::format("'{}' is not a step of chapter {}; expected '{}.N'", step.id, chapter.number,
+                            chapter.number));
     for (const Step& other : chapter.steps)
-        if (other.id == step.id) source.fail(path + ".id", fmt::format("'{}' is there twice", step.id));
-    step.title = text(source, entry, path, "title");
-    step.file = text(source, entry, path, "file");
-    // Before its exercises are generated for the first time, and after a student has deleted it, a chapter
-    // has only the file's original.
-    const fs::path root = directory.parent_path().parent_path();
-    if (!fs::exists(directory / step.file) && !fs::exists(root / "solutions" / chapter.name / step.file) &&
-        !fs::exists(root / ".course" / "pristine" / chapter.name / step.file))
-        source.fail(path + ".file", fmt::format("there is no '{}' beside this file", step.file));
-    const json& points = member(source, entry, path, "points");
-    if (!points.is_number_integer() || points.get<long long>() <= 0 || points.get<long long>() > 1000)
-        source.fail(path + ".points", "expected a whole number from 1 to 1000");
-    step.points = points.get<int>();
-    step.hints = texts(source, entry, path, "hints");
+        if (other.id == step.id) id.fail(fmt::format("'{}' is there twice", step.id));
+    step.title = some_text(entry.at("title"));
+    step.file = some_text(entry.at("file"));
+    if (!has_exercise(root, chapter, step.file))
+        entry.at("file").fail(fmt::format("there is no '{}' beside this file", step.file));
+    step.points = static_cast<int>(entry.at("points").whole(1, 1000));
+    step.hints = texts(entry.at("hints"));
     if (step.hints.size() < 3)
-        source.fail(path + ".hints", fmt::format("expected at least 3, not {}", step.hints.size()));
-    refuse_unknown(source, entry, path, {"id", "title", "file", "points", "hints"});
+        entry.at("hints").fail(fmt::format("expected at least 3, not {}", step.hints.size()));
     return step;
 }
 
 Chapter read_chapter(const Project& project, const fs::path& directory) {
     const fs::path file = directory / "chapter.json";
-    const Source source{relative(project, file)};
-    if (!fs::exists(file)) source.fail("the file", "is missing");
-    const json root = json::parse(read_file(file), nullptr, false);
-    if (root.is_discarded()) source.fail("the file", "is not JSON");
+    if (!fs::exists(file)) throw InputError(relative(project, file) + " is missing");
+    const JsonSource source = parse_json(relative(project, file), read_file(file));
+    const JsonValue root = root_of(source);
+    root.only({"title", "summary", "hours", "steps", "scenes"});
 
     Chapter chapter;
     chapter.name = directory.filename().string();
     chapter.number = chapter.name.substr(0, 2);
-    chapter.title = text(source, root, "", "title");
-    chapter.summary = text(source, root, "", "summary");
-    const json& steps = member(source, root, "", "steps");
-    if (!steps.is_array() || steps.empty()) source.fail("steps", "expected a list of at least one step");
-    for (std::size_t i = 0; i < steps.size(); ++i)
-        chapter.steps.push_back(read_step(source, steps[i], fmt::format("steps[{}]", i), chapter, directory));
-    chapter.scenes = texts(source, root, "", "scenes");
-    for (const std::string& scene : chapter.scenes)
-        if (!fs::exists(project.root / "references" / chapter.name / scene))
-            source.fail("scenes", fmt::format("there is no references/{}/{}", chapter.name, scene));
-    refuse_unknown(source, root, "", {"title", "summary", "steps", "scenes"});
+    chapter.title = some_text(root.at("title"));
+    chapter.summary = some_text(root.at("summary"));
+    chapter.hours = static_cast<int>(root.at("hours").whole(1, 100));
+    for (const JsonValue& step : root.at("steps").items())
+        chapter.steps.push_back(read_step(step, chapter, project.root));
+    if (chapter.steps.empty()) root.at("steps").fail("expected at least one step");
+    chapter.scenes = texts(root.at("scenes"));
+    for (const JsonValue& scene : root.at("scenes").items())
+        if (!fs::exists(project.root / "references" / chapter.name / scene.text()))
+            scene.fail(fmt::format("there is no references/{}/{}", chapter.name, scene.text()));
     return chapter;
 }
 

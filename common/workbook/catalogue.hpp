@@ -1,4 +1,4 @@
-// The chapters as their chapter.json describe them: steps, hints, points and scenes.
+// The chapters as their chapter.json describe them: steps, hints, points, hours and scenes.
 #pragma once
 
 #include "common/terminal/project.hpp"
@@ -24,14 +24,16 @@ struct Chapter {
     std::string summary;
     std::vector<Step> steps;
     std::vector<std::string> scenes;  ///< in references/NN_name; the first is the chapter's picture
+    int hours = 0;                    ///< that a student is expected to need: an estimate (CONTRIBUTING.md)
 };
 
 /// Whether a directory's name is a chapter's: two digits, an underscore, and something.
 bool is_chapter_name(std::string_view name);
 
-/// All chapters that have exercises, by number. Throws InputError, which names file and key, for a missing
-/// key or one of the wrong type, a step's number that is twice there or not of this chapter, fewer than three
-/// hints, points that are not positive, and files that do not exist.
+/// All chapters that have exercises, by number. Throws InputError, which names file, line, column and key,
+/// for a missing key, one that is not known or of the wrong type, a step's number that is twice there or not
+/// of this chapter, fewer than three hints, points and hours that are not positive, and files that do not
+/// exist.
 std::vector<Chapter> read_catalogue(const Project& project);
 
 /// The chapter with this number; throws InputError, which lists the numbers, if there is none. `number` may

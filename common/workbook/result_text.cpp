@@ -90,7 +90,8 @@ nlohmann::ordered_json results_json(const std::vector<Chapter>& chapters,
                              {"state", name_of(step.state)},
                              {"message", step.message}});
         }
-        list.push_back({{"id", chapter.name}, {"title", chapter.title}, {"steps", steps}});
+        list.push_back(
+            {{"id", chapter.name}, {"title", chapter.title}, {"hours", chapter.hours}, {"steps", steps}});
     }
     return {{"chapters", list}};
 }

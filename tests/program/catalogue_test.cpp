@@ -1,23 +1,27 @@
-// chapter.json is read strictly, and every complaint names file and key.
+// chapter.json is read strictly, and every complaint names its place and key.
 #include "common/workbook/catalogue.hpp"
+#include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "tests/catch.hpp"
 #include "tests/program/sandbox.hpp"
 
-#include <nlohmann/json.hpp>
-
 using namespace rt;
-using nlohmann::json;
 
 namespace {
 
-std::string error_of(const json& chapter) {
+std::string error_of(const std::string& chapter) {
     const Project project = test::sandbox("catalogue");
-    test::add_chapter(project, "02_spheres", chapter.dump());
+    test::add_chapter(project, "02_spheres", chapter);
     return test::error_of([&] { read_catalogue(project); });
 }
 
-json good() { return json::parse(test::good_chapter); }
+/// The good chapter with the first `old` in another way.
+std::string with(const std::string& old, const std::string& other) {
+    std::string chapter = test::good_chapter;
+    return chapter.replace(chapter.find(old), old.size(), other);
+}
+
+std::string without(const std::string& old) { return with(old, ""); }
 
 }  // namespace
 
@@ -31,6 +35,17 @@ TEST_CASE("the catalogue of the course itself is right") {
     }
 }
 
+TEST_CASE("the README's table has the chapters' hours") {
+    const std::string readme = read_file(test::repository() + "/README.md");
+    for (const Chapter& chapter : read_catalogue({test::repository(), ""})) {
+        INFO(chapter.name);
+        const std::size_t row = readme.find("](chapters/" + chapter.name + "/README.md) |");
+        REQUIRE(row != std::string::npos);
+        CHECK_THAT(readme.substr(row, readme.find('\n', row) - row),
+                   Catch::EndsWith("| " + std::to_string(chapter.hours) + " |"));
+    }
+}
+
 TEST_CASE("a chapter is read with all that it says") {
     const Project project = test::sandbox("catalogue");
     test::add_chapter(project, "02_spheres", test::good_chapter);
@@ -39,6 +54,7 @@ TEST_CASE("a chapter is read with all that it says") {
     CHECK(chapters[0].name == "02_spheres");
     CHECK(chapters[0].number == "02");
     CHECK(chapters[0].title == "Spheres");
+    CHECK(chapters[0].hours == 3);
     REQUIRE(chapters[0].steps.size() == 2);
     CHECK(chapters[0].steps[1].id == "02.2");
     CHECK(chapters[0].steps[1].points == 5);
@@ -51,56 +67,52 @@ TEST_CASE("a directory with a contract only is no chapter yet; one with exercise
     test::write(project.root / "chapters/04_transforms/transform.hpp", "");
     CHECK(read_catalogue(project).empty());
     test::write(project.root / "chapters/04_transforms/transform.cpp", "");
-    CHECK_THROWS_WITH(read_catalogue(project), "chapters/04_transforms/chapter.json: the file: is missing");
+    CHECK_THROWS_WITH(read_catalogue(project), "chapters/04_transforms/chapter.json is missing");
 }
 
-TEST_CASE("what is missing or of the wrong type is named") {
-    json chapter = good();
-    chapter.erase("title");
-    CHECK(error_of(chapter) == "chapters/02_spheres/chapter.json: title: is missing");
-    chapter = good();
-    chapter["steps"][1].erase("points");
-    CHECK(error_of(chapter) == "chapters/02_spheres/chapter.json: steps[1].points: is missing");
-    chapter = good();
-    chapter["steps"][0]["points"] = 0;
-    CHECK(error_of(chapter).find("steps[0].points: expected a whole number") != std::string::npos);
-    chapter["steps"][0]["points"] = 2.5;
-    CHECK(error_of(chapter).find("steps[0].points: expected a whole number") != std::string::npos);
-    chapter = good();
-    chapter["steps"] = json::array();
-    CHECK(error_of(chapter).find("steps: expected a list") != std::string::npos);
-    CHECK(error_of(json::array()).find("expected an object") != std::string::npos);
+TEST_CASE("what is missing or of the wrong type is named, with its place") {
+    const std::string file = "chapters/02_spheres/chapter.json:";
+    CHECK(error_of(without("\"title\": \"Spheres\",")) == file + "1:1: the file: 'title' is missing");
+    CHECK(error_of(without("\"hours\": 3,")) == file + "1:1: the file: 'hours' is missing");
+    CHECK(error_of(with("\"hours\": 3", "\"hours\": 0")) ==
+          file + "4:12: hours: expected a whole number from 1 to 100");
+    CHECK(error_of(with("\"hours\": 3", "\"hours\": 2.5")) ==
+          file + "4:12: hours: expected a whole number from 1 to 100");
+    CHECK(error_of(with("\"hours\": 3", "\"hours\": \"3\"")) ==
+          file + "4:12: hours: expected a whole number from 1 to 100");
+    CHECK(error_of(with("\"points\": 10", "\"points\": 0")) ==
+          file + "6:65: steps/0/points: expected a whole number from 1 to 1000");
+    CHECK(error_of(with("\"points\": 10,", "")) == file + "6:5: steps/0: 'points' is missing");
+    CHECK(error_of(with("\"Round things.\"", "\"\"")) == file + "3:14: summary: expected a text");
+    CHECK(error_of(with("\"scenes\"", "\"steps\": [], \"scenes\"")) == file + "9:3: steps: is there twice");
+    CHECK(error_of(R"({"title": "T", "summary": "S", "hours": 1, "steps": [], "scenes": []})") ==
+          file + "1:53: steps: expected at least one step");
+    CHECK(error_of("[]") == file + "1:1: the file: expected an object");
+    CHECK(error_of("{").starts_with(file + "1:2: is not JSON"));
 }
 
 TEST_CASE("two hints are too few") {
-    json chapter = good();
-    chapter["steps"][0]["hints"] = {"a", "b"};
-    CHECK(error_of(chapter) ==
-          "chapters/02_spheres/chapter.json: steps[0].hints: expected at least 3, not 2");
+    CHECK(error_of(with(R"(["a", "b", "c"])", R"(["a", "b"])")) ==
+          "chapters/02_spheres/chapter.json:6:78: steps/0/hints: expected at least 3, not 2");
 }
 
 TEST_CASE("step numbers are of their chapter, and each once") {
-    json chapter = good();
-    chapter["steps"][1]["id"] = "03.2";
-    CHECK(error_of(chapter).find("'03.2' is not a step of chapter 02") != std::string::npos);
-    chapter["steps"][1]["id"] = "02.1";
-    CHECK(error_of(chapter).find("steps[1].id: '02.1' is there twice") != std::string::npos);
+    CHECK_THAT(error_of(with("02.2", "03.2")), Catch::EndsWith("7:12: steps/1/id: '03.2' is not a step of "
+                                                               "chapter 02; expected '02.N'"));
+    CHECK_THAT(error_of(with("02.2", "02.1")), Catch::EndsWith("7:12: steps/1/id: '02.1' is there twice"));
 }
 
 TEST_CASE("files that are named must exist") {
-    json chapter = good();
-    chapter["steps"][0]["file"] = "sphere.cpp";
-    CHECK(error_of(chapter).find("steps[0].file: there is no 'sphere.cpp'") != std::string::npos);
-    chapter = good();
-    chapter["scenes"].push_back("two.scene");
-    CHECK(error_of(chapter) ==
-          "chapters/02_spheres/chapter.json: scenes: there is no references/02_spheres/two.scene");
+    CHECK_THAT(error_of(with("x.cpp", "sphere.cpp")),
+               Catch::EndsWith("6:46: steps/0/file: there is no 'sphere.cpp' beside this file"));
+    CHECK_THAT(error_of(with("\"one.scene\"", "\"one.scene\", \"two.scene\"")),
+               Catch::EndsWith("9:27: scenes/1: there is no references/02_spheres/two.scene"));
 }
 
 TEST_CASE("a key that nobody reads is refused") {
-    json chapter = good();
-    chapter["steps"][0]["hint"] = "x";
-    CHECK(error_of(chapter) == "chapters/02_spheres/chapter.json: steps[0].hint: is not known");
+    CHECK_THAT(
+        error_of(with("\"points\": 10", "\"point\": 10")),
+        Catch::Contains("6:64: steps/0/point: is not known; there are id, title, file, points, hints"));
 }
 
 TEST_CASE("chapters and steps are found as people write them") {

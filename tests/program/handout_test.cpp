@@ -169,7 +169,7 @@ TEST_CASE("the README names the class, its instructor and the dates of the chapt
     const std::string text = read_file(directory / "README.md");
     CHECK_THAT(text, Catch::StartsWith("# Rays 101\n"));
     CHECK_THAT(text, Catch::Contains("\nInstructor: Ada Lovelace\n"));
-    CHECK_THAT(text, Catch::Contains("[2 Spheres](chapters/02_spheres/README.md) | Round things. | "
+    CHECK_THAT(text, Catch::Contains("[2 Spheres](chapters/02_spheres/README.md) | Round things. | 3 | "
                                      "2027-02-15 23:59 |\n"));
     CHECK_THAT(text, !Catch::Contains("2027-03-01"));
     CHECK_THAT(text, Catch::Contains("\n./course check 02 "));

@@ -512,9 +512,11 @@ TEST_CASE("list and status tell the chapters as JSON") {
     REQUIRE(list["chapters"].size() >= 3);
     const json& step = list["chapters"][1]["steps"][0];
     CHECK(list["chapters"][1]["id"] == "02_spheres");
+    CHECK(list["chapters"][1]["hours"] == 3);
     CHECK(keys(step) == Keys{"id", "message", "points", "state", "title"});
     CHECK(keys(json::parse(course("--json").out)) == Keys{"chapters", "next"});
     CHECK(course("list").out.find("02.1") != std::string::npos);
+    CHECK(course("list").out.find("02  Spheres  about 3 hours") != std::string::npos);
     CHECK(course("").out.find("Next:") != std::string::npos);
 }
 

@@ -213,7 +213,7 @@ TEST_CASE("verdicts as JSON have the documented form") {
     ChapterResult result = all_todo(tree.chapter());
     result.steps[1] = {"02.2", State::Failed, "why"};
     CHECK(results_json(tree.chapters, {result}).dump() ==
-          R"({"chapters":[{"id":"02_spheres","title":"Spheres","steps":[)"
+          R"({"chapters":[{"id":"02_spheres","title":"Spheres","hours":3,"steps":[)"
           R"({"id":"02.1","title":"First","points":10,"state":"todo","message":""},)"
           R"({"id":"02.2","title":"Second","points":5,"state":"failed","message":"why"}]}]})");
 }

@@ -13,6 +13,7 @@ namespace rt::test {
 inline constexpr auto good_chapter = R"({
   "title": "Spheres",
   "summary": "Round things.",
+  "hours": 3,
   "steps": [
     {"id": "02.1", "title": "First", "file": "x.cpp", "points": 10, "hints": ["a", "b", "c"]},
     {"id": "02.2", "title": "Second", "file": "x.cpp", "points": 5, "hints": ["a", "b", "c"]}

@@ -68,7 +68,7 @@ TEST_CASE("after one comes two", "[99.1]") {
 TEST_CASE("after the next comes the next's next", "[99.2]") { CHECK(rt::after_next(1) == 3); }
 END
 cat >chapters/$name/chapter.json <<'END'
-{"title": "Tiny", "summary": "The least chapter.",
+{"title": "Tiny", "summary": "The least chapter.", "hours": 1,
  "steps": [
   {"id": "99.1", "title": "Next", "file": "tiny.cpp", "points": 1, "hints": ["first", "second", "third"]},
   {"id": "99.2", "title": "After next", "file": "tiny.cpp", "points": 2, "hints": ["a", "b", "c"]}],

@@ -1,6 +1,6 @@
 // JSON that somebody wrote, read strictly: what is wrong is one line with its place and the keys that lead
 // there.
-#include "common/grading/json_source.hpp"
+#include "common/terminal/json_source.hpp"
 
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
