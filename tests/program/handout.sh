@@ -49,6 +49,23 @@ dead=$(for text in README.md chapters/*/README.md common/scene/README.md; do
 done)
 [ -z "$dead" ] || fail "links lead to something" "$dead"
 
+# -------------------------------------------------------------------------------------- what nobody can read
+
+# Lines with white space folded, sorted.
+lines() { LC_ALL=C sed -E 's/[[:space:]]+/ /g; s/^ //; s/ $//' | LC_ALL=C sort -u; }
 cd "$COURSE_ROOT" || exit
+cat common/*/*.cpp common/*/*.hpp common/*/*/*.cpp common/*/*/*.hpp chapters/*/*.hpp "$handout"/.course/pristine/*/*.cpp |
+    lines >"$class/given"
+awk '/\[\/exercise\]/ { on = 0 } on && length >= 12 { print } /\[exercise / { on = 1 }' solutions/*/*.cpp | lines |
+    LC_ALL=C awk 'length >= 12' | LC_ALL=C comm -23 - "$class/given" >"$class/secret"
+[ "$(wc -l <"$class/secret")" -gt 400 ] || fail "solutions have lines" "$(cat "$class/secret")"
+# All that git keeps there, of all commits.
+kept_by_git() { git -C "$handout" cat-file --batch-all-objects --batch | lines; }
+[ -z "$(kept_by_git | LC_ALL=C comm -12 "$class/secret" -)" ] ||
+    fail "no line of a solution is in the handout's history" "$(kept_by_git | LC_ALL=C comm -12 "$class/secret" -)"
+if find "$handout" -path "$handout/solutions*" -o -name '*.mistake' -o -name '*.variant' | grep -q .; then
+    fail "no solution, mistake or variant is in it"
+fi
+
 rm -rf "$class"
 finish
