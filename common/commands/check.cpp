@@ -172,7 +172,7 @@ int run_check(const CheckCommand& command) {
         if (i > 0) fmt::print("\n");
         print_chapter(*request.chapters[i], asked[i]);
     }
-    std::fflush(stdout);
+    flush_output();
     if (command.solutions) return good ? 0 : 1;
 
     if (request.chapters.size() == 1 && all_passed(results.front())) {

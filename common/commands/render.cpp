@@ -144,7 +144,7 @@ void print_json(const Scene& scene, const World& world, const RenderResult& resu
 void show(const Image& image, Encoding encoding) {
     const TerminalSize terminal = terminal_size(stdout);
     fmt::print("{}", preview(image, encoding, terminal.columns, terminal.rows - 3));
-    std::fflush(stdout);
+    flush_output();
 }
 
 }  // namespace

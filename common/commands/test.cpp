@@ -26,7 +26,7 @@ void print(const SelfTest& part) {
     }
     fmt::print("{:<28} {:>6} passed {:>4} failed  {:>10}\n", part.name, part.passed, part.failed,
                duration(part.seconds));
-    std::fflush(stdout);
+    flush_output();
 }
 
 /// A part that a function fills in; what it throws is a failure of the part.

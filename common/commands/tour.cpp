@@ -51,8 +51,7 @@ void visit_all(std::vector<TourPart>& tour, const fs::path& output, bool shows_p
 
 /// `text` to the right of a field; counts letters, not bytes.
 std::string right(const std::string& text, std::size_t width) {
-    const auto letters = static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+    const auto letters = static_cast<std::size_t>(std::ranges::count(text, false, continues_utf8));
     return std::string(letters < width ? width - letters : 0, ' ') + text;
 }
 

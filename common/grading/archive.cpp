@@ -116,7 +116,8 @@ std::vector<std::string> to_unpack(const Found::value_type& exercises) {
     std::vector<std::string> arguments{"-x", "-m", "--strip-components", std::to_string(slashes)};
     for (const std::string& place : exercises.second) {
         arguments.emplace_back("--include");
-        arguments.push_back((slashes > 0 ? "*/" : "") + place);  // no place has a character of patterns
+        // No place has a character of patterns. bsdtar takes "./" from names before it compares them.
+        arguments.push_back((depth_of(exercises.first) > 0 ? "*/" : "") + place);
     }
     return arguments;
 }

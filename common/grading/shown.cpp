@@ -62,13 +62,10 @@ std::string without_words(std::string text, const std::vector<std::string>& word
     return text;
 }
 
-/// The text's beginning, whole characters of it.
-std::string beginning(std::string text) {
-    if (text.size() <= most_bytes) return text;
-    std::size_t end = most_bytes;
-    while (end > 0 && (text[end] & 0xC0) == 0x80) --end;
-    text.resize(end);
-    return text + " …";
+/// The text, or its beginning where it is too long to be read.
+std::string readable_part(const std::string& text) {
+    const std::string_view part = beginning(text, most_bytes);
+    return std::string(part) + (part.size() < text.size() ? " …" : "");
 }
 
 std::string indented(const std::string& text) {
@@ -83,7 +80,7 @@ std::string indented(const std::string& text) {
 std::string failure_lines(const FailedCheck& failure) {
     std::string lines;
     if (!failure.asked.empty()) lines += "\nasked: " + printable(failure.asked);
-    if (!failure.said.empty()) lines += "\n" + indented(beginning(printable(failure.said, Keep::Lines)));
+    if (!failure.said.empty()) lines += "\n" + indented(readable_part(printable(failure.said, Keep::Lines)));
     return lines;
 }
 

@@ -9,6 +9,9 @@
 
 namespace rt {
 
+/// Whether the byte goes on with a UTF-8 character that an earlier one began.
+inline bool continues_utf8(char c) { return (static_cast<std::uint8_t>(c) & 0xC0) == 0x80; }
+
 /// The length of the UTF-8 character at the front of `text`, which is not empty; 0 where there is none: a
 /// byte out of place, a form longer than needed, half of a surrogate pair, or beyond U+10FFFF (RFC 3629).
 inline std::size_t utf8_length(std::string_view text) {
@@ -18,7 +21,7 @@ inline std::size_t utf8_length(std::string_view text) {
     const std::size_t length = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
     if (length == 0 || text.size() < length) return 0;
     for (std::size_t i = 1; i < length; ++i)
-        if ((byte(i) & 0xC0) != 0x80) return 0;
+        if (!continues_utf8(text[i])) return 0;
     const std::uint8_t second = byte(1);
     if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F)) return 0;
     if ((first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F)) return 0;
@@ -32,6 +35,13 @@ inline bool is_utf8(std::string_view text) {
         text.remove_prefix(length);
     }
     return true;
+}
+
+/// As much of the text's beginning as `most` bytes hold, whole characters of it.
+inline std::string_view beginning(std::string_view text, std::size_t most) {
+    if (text.size() <= most) return text;
+    while (most > 0 && continues_utf8(text[most])) --most;
+    return text.substr(0, most);
 }
 
 /// What may stand in a text as it is, beside characters that are no control characters.

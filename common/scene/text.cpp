@@ -4,6 +4,7 @@
 
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/math/printable.hpp"
 #include "common/scene/suggest.hpp"
 
 #include <algorithm>
@@ -27,8 +28,6 @@ bool is_in_number(std::string_view word, const char* at) {
     return at - word.data() >= 2 && at[-1] == '.' && at[-2] >= '0' && at[-2] <= '9' && end - at >= 2 &&
            at[1] >= 'A' && at[1] <= 'Z';
 }
-
-bool continues_utf8(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 /// `; did you mean 'x'?` for a path that does not exist, from the names beside it.
 std::string similar_file(const std::filesystem::path& path) {
@@ -64,14 +63,10 @@ ParsedNumber parse_number(std::string_view word) {
 
 std::string quoted(std::string_view word) {
     constexpr std::size_t longest = 40;
-    std::size_t length = word.size();
-    if (length > longest) {
-        length = longest;
-        while (length > 0 && continues_utf8(word[length])) --length;
-    }
+    const std::string_view front = beginning(word, longest);
     std::string text = "'";
-    for (const char c : word.substr(0, length)) text += is_control(c) ? '?' : c;
-    return text + (length < word.size() ? "…'" : "'");
+    for (const char c : front) text += is_control(c) ? '?' : c;
+    return text + (front.size() < word.size() ? "…'" : "'");
 }
 
 std::string shown(Real value) {

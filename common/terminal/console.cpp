@@ -55,6 +55,10 @@ void open_missing_streams() {
             if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
 }
 
+void flush_output() {
+    if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "standard output");
+}
+
 int ended(int status, int write_error) {
     if (std::fflush(stdout) != 0 && write_error == 0) write_error = errno;
     if (std::ferror(stdout)) {

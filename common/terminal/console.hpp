@@ -36,6 +36,10 @@ void say_lines(std::string_view text);
 /// should, and no picture gets their number. To be called before anything is opened.
 void open_missing_streams();
 
+/// Sends what was printed on its way, before somebody else writes. Throws std::system_error where it cannot
+/// be written.
+void flush_output();
+
 /// The program's exit status at its end: `status`, or 2 if something that was said could not be written; then
 /// a line says so, with the reason if it is known already.
 int ended(int status, int write_error = 0);

@@ -28,10 +28,9 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     const std::string_view before = std::string_view(source.text).substr(0, offset);
     const auto newline = before.rfind('\n');
     const std::string_view line = newline == std::string_view::npos ? before : before.substr(newline + 1);
-    const auto starts_character = [](char c) { return (c & 0xC0) != 0x80; };
     throw InputError(
         printable(fmt::format("{}:{}:{}: {}", source.name, 1 + std::count(before.begin(), before.end(), '\n'),
-                              1 + std::count_if(line.begin(), line.end(), starts_character), what)));
+                              1 + std::ranges::count(line, false, continues_utf8), what)));
 }
 
 /// The library reads JSON and forgets where each value stood. This goes through a text that is known to be

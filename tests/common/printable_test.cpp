@@ -43,3 +43,12 @@ TEST_CASE("what would steer a terminal is shown by its number") {
     CHECK(printable(text, Keep::Lines) == escaped + "\n\tc");
     CHECK(printable(text, Keep::Controls) == text);
 }
+
+TEST_CASE("the beginning of a text ends with a whole character") {
+    CHECK(beginning("aé", 9) == "aé");
+    CHECK(beginning("aé", 3) == "aé");
+    CHECK(beginning("aé", 2) == "a");
+    CHECK(beginning("é", 1).empty());
+    CHECK(beginning("\x80\x80", 1).empty());
+    CHECK(beginning("a", 0).empty());
+}

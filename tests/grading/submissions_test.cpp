@@ -145,7 +145,7 @@ TEST_CASE("attacks on the grader get their marks, and leave the machine as it wa
 }
 
 TEST_CASE("whoever takes too long loses what was not yet tested, and nothing that was", "[attacks]") {
-    const std::optional<Isolation> level = best_level();
+    const std::optional<Isolation> level = test::best_level();
     if (!level) return;
     const Project project = this_project();
     const std::vector<Chapter> chapters = read_catalogue(project);
@@ -155,14 +155,14 @@ TEST_CASE("whoever takes too long loses what was not yet tested, and nothing tha
                             .seed = 7,
                             .isolation = *level,
                             .judge_seconds = 5});
-    Submission slow = perfect(chapter);
-    std::string& text = slow.files.at(attacked);
+    Submission slow = test::perfect({&chapter});
+    std::string& text = slow.files.at("chapters/01_ray_casting/plane.cpp");
     const std::string task = "    // [exercise 01.4]";
     REQUIRE(text.find(task) != std::string::npos);
     text.insert(text.find(task), "    ::usleep(200'000);\n");
     text.insert(0, "#include <unistd.h>\n");
     const Grade grade = grader.grade(slow);
-    INFO(told(grade));
+    INFO(test::told(grade));
     CHECK(text_of(earned(grade)) == "30");  // the camera's
-    CHECK(somebody_said(grade, "took longer than 5 s"));
+    CHECK(test::somebody_said(grade, "took longer than 5 s"));
 }

@@ -5,6 +5,7 @@
 #include "tests/grading/submissions.hpp"
 #include "tests/support.hpp"
 
+#include <fmt/format.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
@@ -97,7 +98,7 @@ TEST_CASE("of a submission only regular files are taken, and no link is followed
         INFO(instead.name);
         CHECK(taken.files.size() == perfect.files.size() - 1);
         CHECK_FALSE(taken.files.contains(plane));
-        CHECK(taken.remarks == std::vector<std::string>{std::string(plane) + " " + instead.said});
+        CHECK(taken.remarks == std::vector<std::string>{fmt::format("{} {}", plane, instead.said)});
         ++tried;
     }
     CHECK(tried >= 10);

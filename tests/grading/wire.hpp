@@ -243,6 +243,10 @@ public:
             shared(value);
         else
             fields_of(value, [this](auto&... field) { ((*this)(field), ...); });
+        if constexpr (std::is_same_v<T, Image>)
+            if (value.width < 0 || value.height < 0 ||
+                std::uint64_t(value.width) * std::uint64_t(value.height) != value.pixels.size())
+                throw BadBytes("an image has not as many pixels as it says");
     }
 
     std::span<const std::byte> take(std::size_t size) {

@@ -130,6 +130,17 @@ TEST_CASE("lists are no longer than their bytes, and are not nested without end"
     check_refused<Grid>(written(grid));
 }
 
+TEST_CASE("an image has as many pixels as it says", "[wire]") {
+    CHECK(sent(make_image(3, 2)).pixels.size() == 6);
+    Image image = make_image(3, 2);
+    image.pixels.pop_back();
+    check_refused<Image>(written(image));
+    image = make_image(3, 2);
+    image.width = image.height = -1;
+    image.pixels.resize(1);
+    check_refused<Image>(written(image));
+}
+
 TEST_CASE("a variant has only its own alternatives, and what is shared must be there", "[wire]") {
     check_refused<TransformStep>(written(std::uint8_t{3}, Vec3(1)));
     // It names an object that there is not.

@@ -253,7 +253,8 @@ TEST_CASE("what could not be said is status 2") {
     const std::string render = "render said.scene --solutions -o said.pfm ";
     for (const std::string arguments :
          {"list", "list --json", "", "--help", "explain said.scene", "explain said.scene --json",
-          "solution 02.1 --spoil", "trace said.scene 1 1", "compare said.pfm said.pfm"}) {
+          "solution 02.1 --spoil", "trace said.scene 1 1", "compare said.pfm said.pfm",
+          "render said.scene --solutions -o said.pfm --preview --quiet"}) {
         REQUIRE(course(render).status == 0);
         INFO("arguments := " << arguments);
         CHECK(course(arguments).status == 0);

@@ -153,8 +153,9 @@ void check_elsewhere(const Command& command, const Elsewhere& where, const fs::p
     for (std::size_t i = 2; i < command.words.size(); ++i) {
         const std::string& word = command.words[i];
         if (word == "-o" || (command.words[i - 1].starts_with("-") && !word.starts_with("-")))
-            continue;                                                                  // values
-        if (word.find('/') != std::string::npos || word.ends_with(".json")) continue;  // a file
+            continue;  // values
+        if (word.find('/') != std::string::npos || word.ends_with(".json") || word.ends_with(".zip"))
+            continue;  // a file
         if (word.starts_with("--"))
             CHECK(help.output.find(word) != std::string::npos);
         else if (word.find('.') != std::string::npos)
