@@ -98,6 +98,8 @@ void mark(const GradeCommand& command, const Project& project, GraderOptions opt
     else if (!options.rubric.due.empty())
         say("nothing counts as late: --submitted says when submissions were handed in");
     if (!command.seed) options.seed = seed_of_class(project);
+    if (const std::vector<std::string> open = open_at(options.isolation); !open.empty())
+        say("level {} leaves open: {}", name_of(options.isolation), fmt::join(open, "; "));
     results.grades = grades_of(project, options, submissions);
 }
 

@@ -87,7 +87,7 @@ std::vector<std::string> open_at(Isolation isolation) {
     const bool root = geteuid() == 0;
     if (isolation == Isolation::Bubblewrap)
         return root ? std::vector<std::string>{}
-                    : std::vector<std::string>{"nothing but namespaces keeps it from your own files"};
+                    : std::vector<std::string>{"your own files, but for namespaces"};
     if (isolation == Isolation::None) {
         std::vector<std::string> open{"read what everybody may read", "write where everybody may write",
                                       "use the network", "see all processes",

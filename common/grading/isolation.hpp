@@ -27,8 +27,7 @@ std::vector<Level> probe();
 /// Throws InputError, with the reason and with what would be possible, unless a box can be had at this level.
 void require_possible(Isolation isolation);
 
-/// What a program can still do in a box of this level on this machine, a phrase each: "see which processes
-/// run". For reports.
+/// What a box of this level leaves open on this machine, a phrase each: "see all processes".
 std::vector<std::string> open_at(Isolation isolation);
 
 }  // namespace rt

@@ -68,6 +68,9 @@ expect "a time that is missing" 2 "times.csv: it does not say when ben was hande
 echo "no archive" >dan.zip
 expect "what is no archive" 2 "dan.zip: cannot be unpacked: .*Unrecognized" "$course" grade dan.zip --isolation $level
 
+expect "what a level leaves open is said" 0 "level none leaves open: read what everybody may read" \
+    "$course" grade submissions/cleo --chapter 01 --seed 5 --isolation none -o marks.csv
+
 cd "$COURSE_ROOT" || exit
 rm -rf "$class"
 finish
