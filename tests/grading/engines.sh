@@ -13,7 +13,7 @@ done
 # All of it happens in namespaces, so that whatever goes wrong leaves no process and no mount. The network is the
 # machine's, because by names in it graders on one machine share the uids of boxes.
 if [ -z "${COURSE_ENGINES:-}" ]; then
-    place=$(mktemp -d "${TMPDIR:-/tmp}/course-engines.XXXXXX")
+    place=$(mktemp -d)
     trap 'rm -rf "$place"' EXIT
     COURSE_ENGINES=$place unshare --mount --pid --fork --kill-child --mount-proc bash "$0"
     exit

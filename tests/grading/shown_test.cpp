@@ -60,7 +60,7 @@ TEST_CASE("directories of the machine are left out, and nothing that only looks 
 TEST_CASE("private words are left out where they stand as words") {
     CHECK(shown_text("on host17, by /srv/my course/x.cpp of al: also", {"host17", "/srv/my course", "al"}) ==
           "on …, by …/x.cpp of …: also");
-    CHECK(shown_text("in /srv/my course/build/work/12/x.cpp, …/a", {"/srv/my course"}) == "in …/x.cpp, …/a");
+    CHECK(shown_text("in /srv/my course/build/runs/12/x.cpp, …/a", {"/srv/my course"}) == "in …/x.cpp, …/a");
 }
 
 TEST_CASE("what is private is known: directories, the machine and who uses it") {

@@ -113,6 +113,12 @@ void check_attack(Grader& grader, const Chapter& chapter, const Attack& attack) 
     check_keeps_silent(grade, private_words(this_project()));
 }
 
+/// The first chapter, all or nothing.
+GraderOptions options_for(const std::vector<Chapter>& chapters, Isolation level) {
+    return {
+        .chapters = {&chapters.front()}, .rubric = default_rubric(chapters), .seed = 7, .isolation = level};
+}
+
 }  // namespace
 
 TEST_CASE("attacks on the grader get their marks, and leave the machine as it was", "[attacks]") {
@@ -121,11 +127,9 @@ TEST_CASE("attacks on the grader get their marks, and leave the machine as it wa
     const Project project = this_project();
     const std::vector<Chapter> chapters = read_catalogue(project);
     const Chapter& chapter = chapters.front();
-    Grader grader(project, {.chapters = {&chapter},
-                            .rubric = default_rubric(chapters),
-                            .seed = 7,
-                            .isolation = *level,
-                            .call_seconds = 2});
+    GraderOptions options = options_for(chapters, *level);
+    options.call_seconds = 2;
+    Grader grader(project, options);
     const Submission perfect = test::perfect({&chapter});
     CHECK(earned(grader.grade(perfect)) == whole_points(70));
 
@@ -150,11 +154,9 @@ TEST_CASE("whoever takes too long loses what was not yet tested, and nothing tha
     const Project project = this_project();
     const std::vector<Chapter> chapters = read_catalogue(project);
     const Chapter& chapter = chapters.front();
-    Grader grader(project, {.chapters = {&chapter},
-                            .rubric = default_rubric(chapters),
-                            .seed = 7,
-                            .isolation = *level,
-                            .judge_seconds = 5});
+    GraderOptions options = options_for(chapters, *level);
+    options.judge_seconds = 5;
+    Grader grader(project, options);
     Submission slow = test::perfect({&chapter});
     std::string& text = slow.files.at("chapters/01_ray_casting/plane.cpp");
     const std::string task = "    // [exercise 01.4]";
