@@ -100,7 +100,7 @@ TEST_CASE("an engine marks each part once by what was asked for, and then all ar
     expected +=
         "[grade][--merge][parts/part_1.json][parts/part_2.json][parts/part_3.json][--format][csv]"
         "[--rubric][late's.json][-o][marks.csv]\n";
-    CHECK(replaced(read_file(place / "calls"), "parts\\.\\w{6}/", "parts/") == expected);
+    CHECK(replaced(read_file(place / "calls"), "\\./tmp\\.\\w+/", "parts/") == expected);
 
     // Nothing else is left.
     std::vector<std::string> left;
