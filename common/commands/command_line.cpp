@@ -287,6 +287,8 @@ void add_similarity(CommandLine& line) {
                     [&line] { return run_similarity(line.similarity); });
     sub->add_option("submissions", line.similarity.submissions, "as of grade")->required();
     sub->add_option("--chapter", line.similarity.chapters, "such as 02, and again for more; default: all");
+    sub->add_option("--isolation", line.similarity.isolation,
+                    "of the boxes in which archives are opened; default: bwrap");
     sub->add_option("--least", line.similarity.least, "per cent from which on a pair is listed; default: 70")
         ->transform(whole_number(0, 100));
     sub->add_option("-o,--output", line.similarity.output,

@@ -160,6 +160,7 @@ int run_grade(const GradeCommand& command);
 struct SimilarityCommand {
     std::vector<std::filesystem::path> submissions;  ///< as of GradeCommand
     std::vector<std::string> chapters;               ///< their numbers; all if there are none
+    std::string isolation = "bwrap";                 ///< of the boxes in which archives are opened
     int least = 70;                                  ///< per cent, of a pair that is listed
     std::filesystem::path output;  ///< .html, .csv or .json; none: the most similar on standard output
     bool json = false;

@@ -1,8 +1,8 @@
 // `course grade`: marks submissions, in boxes, by the chapters' own tests; a class may be marked in parts,
 // here or on other machines.
 #include "common/commands/commands.hpp"
-#include "common/grading/archive.hpp"
 #include "common/grading/chosen_chapters.hpp"
+#include "common/grading/class_list.hpp"
 #include "common/grading/class_script.hpp"
 #include "common/grading/formats/formats.hpp"
 #include "common/grading/grade_json.hpp"
@@ -18,7 +18,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 namespace rt {
 
@@ -26,41 +25,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A class's directories and archives in the order of the submissions' names, and those names.
-struct ClassList {
-    std::vector<std::string> names;
+/// The paths of the part's submissions; without a part, of all.
+std::vector<fs::path> paths_of(const ClassList& list, const std::optional<ClassPart>& part) {
     std::vector<fs::path> paths;
-};
-
-ClassList class_list(const std::vector<fs::path>& paths) {
-    if (paths.empty()) throw InputError("there is nothing to mark: name the submissions' directories");
-    std::map<std::string, fs::path> by_name;
-    for (const fs::path& path : paths) {
-        const auto [other, is_new] = by_name.try_emplace(name_of_submission(path), path);
-        if (!is_new)
-            throw InputError(fmt::format("{} and {}: two submissions of the same name",
-                                         printable(other->second.string()), printable(path.string())));
-    }
-    ClassList list;
-    for (const auto& [name, path] : by_name) {
-        list.names.push_back(name);
-        list.paths.push_back(path);
-    }
-    return list;
-}
-
-std::vector<Submission> read_part(const ClassList& list, const std::optional<ClassPart>& part,
-                                  const Project& project, const GraderOptions& options) {
-    if (std::ranges::any_of(list.paths, [](const fs::path& path) { return fs::is_regular_file(path); }))
-        prepare_boxes(project, options.isolation);  // archives are opened in them
-    std::vector<Submission> submissions;
-    for (std::size_t i = 0; i < list.paths.size(); ++i) {
-        if (part && !is_in(*part, i)) continue;
-        submissions.push_back(read_handed_in(list.paths[i], options.chapters, options.isolation));
-        for (const std::string& remark : submissions.back().remarks)
-            say("{}: not taken: {}", printable(submissions.back().name), printable(remark));
-    }
-    return submissions;
+    for (std::size_t i = 0; i < list.paths.size(); ++i)
+        if (!part || is_in(*part, i)) paths.push_back(list.paths[i]);
+    return paths;
 }
 
 std::vector<Grade> grades_of(const Project& project, const GraderOptions& options,
@@ -92,7 +62,8 @@ void mark(const GradeCommand& command, const Project& project, GraderOptions opt
           FormatRequest& results) {
     const ClassList list = class_list(command.submissions);
     if (!command.part.empty()) results.part = part_named(command.part, list.names);
-    std::vector<Submission> submissions = read_part(list, results.part, project, options);
+    std::vector<Submission> submissions =
+        read_submissions(project, paths_of(list, results.part), options.chapters, options.isolation);
     if (!command.submitted.empty())
         tell_times(submissions, command.submitted);
     else if (!options.rubric.due.empty())
@@ -108,7 +79,7 @@ std::string script_for(const GradeCommand& command, const Project& project, cons
                        const GraderOptions& options) {
     require_engine(command.on);
     const ClassList list = class_list(command.submissions);
-    read_part(list, {}, project, options);
+    read_submissions(project, list.paths, options.chapters, options.isolation);
     ClassScript script{.engine = command.on,
                        .course = project.root / "course",
                        .directory = fs::current_path(),

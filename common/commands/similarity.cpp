@@ -2,10 +2,11 @@
 #include "common/grading/formats/similarity.hpp"
 #include "common/commands/commands.hpp"
 #include "common/grading/chosen_chapters.hpp"
+#include "common/grading/class_list.hpp"
+#include "common/grading/isolation.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
-#include "common/terminal/console.hpp"
 
 #include <fmt/format.h>
 
@@ -29,17 +30,6 @@ Format format_of(const fs::path& output) {
     return found->second;
 }
 
-std::vector<Submission> read_class(const std::vector<fs::path>& paths,
-                                   const std::vector<const Chapter*>& chapters) {
-    std::vector<Submission> submissions;
-    for (const fs::path& path : paths) {
-        submissions.push_back(read_submission(path, chapters));
-        for (const std::string& remark : submissions.back().remarks)
-            say("{}: not taken: {}", printable(submissions.back().name), printable(remark));
-    }
-    return submissions;
-}
-
 }  // namespace
 
 int run_similarity(const SimilarityCommand& command) {
@@ -48,7 +38,8 @@ int run_similarity(const SimilarityCommand& command) {
     const Format format = command.output.empty() ? similarity_text : format_of(command.output);
     if (!command.output.empty()) require_writable(command.output);
     const std::vector<const Chapter*> asked = named_chapters(chapters, command.chapters);
-    const std::vector<Submission> submissions = read_class(command.submissions, asked);
+    const std::vector<Submission> submissions = read_submissions(
+        project, class_list(command.submissions).paths, asked, isolation_named(command.isolation));
 
     SimilarityOptions options;
     options.least_similarity = command.least / 100.0;

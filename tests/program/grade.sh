@@ -23,6 +23,10 @@ expect "a format that there is not" 2 "csv" "$course" grade submissions/ada --fo
 expect "a submission that there is not" 2 "submissions/dan: No such file" "$course" grade submissions/dan
 mkdir nobody
 expect "a directory without exercises" 2 "nobody: there is no file of an exercise" "$course" grade nobody
+mkdir nobody_else
+several() { "$course" grade submissions/ada nobody_else nobody; }
+expect "several of them, all named" 2 "nobody_else: there is no file of an exercise" several
+expect "and counted" 2 "^2 of 3 submissions cannot be read, so nothing was done: move them away$" several
 expect "a rubric that is none" 2 "rubric.json:1:1" bash -c "echo moon >rubric.json; '$course' grade submissions/ada --rubric rubric.json"
 expect "the same name twice" 2 "two submissions of the same name" "$course" grade submissions/ada submissions/../submissions/ada
 expect "an engine that there is not" 2 "parallel or slurm" "$course" grade submissions/ada --on moon

@@ -46,11 +46,12 @@ Project course(const std::string& name) {
         test::write(project.root / "references" / column / "figures.cpp", "// Draws.\n");
         test::write(project.root / "references" / column / "figures/a.svg", "<svg/>\n");
     }
-    for (const char* file : {"README.md", "CONTRIBUTING.md", "LICENSE", ".ci/run", "notes.txt",
-                             "common/math/vec.hpp", "common/grading/README.md", "tests/CMakeLists.txt",
-                             "tests/changed_solutions.cmake", "tests/oracle/sum.cpp", "tests/program/a.sh",
-                             "tests/grading/attacks/a.cpp", "references/figures.hpp",
-                             "common/math/vec.hpp.001.backup", ".course/state.json", "build/bin/course"})
+    for (const char* file :
+         {"README.md", "CONTRIBUTING.md", "LICENSE", ".ci/run", "notes.txt", "common/math/vec.hpp",
+          "common/grading/README.md", "common/grading/REFERENCE.md", "common/grading/grade.hpp",
+          "tests/CMakeLists.txt", "tests/changed_solutions.cmake", "tests/oracle/sum.cpp",
+          "tests/program/a.sh", "tests/grading/attacks/a.cpp", "references/figures.hpp",
+          "common/math/vec.hpp.001.backup", ".course/state.json", "build/bin/course"})
         test::write(project.root / file, std::string("// ") + file + "\n");
     test::write(project.root / "course", "#!/bin/sh\n");
     fs::permissions(project.root / "course", fs::perms::owner_exec, fs::perm_options::add);
@@ -127,9 +128,9 @@ TEST_CASE("a handout has what is given, the exercises, and nothing else", "[hand
                 ".course/pristine/03_cubes/x.cpp", ".gitignore", "LICENSE", "README.md",
                 "chapters/02_spheres/README.md", "chapters/02_spheres/chapter.json",
                 "chapters/02_spheres/x.cpp", "chapters/02_spheres/x.hpp", "chapters/03_cubes/x.hpp",
-                "common/math/vec.hpp", "course", "references/02_spheres/figures/a.svg",
-                "references/02_spheres/one.scene", "tests/02_spheres/x_test.cpp", "tests/CMakeLists.txt",
-                "tests/oracle/sum.cpp"});
+                "common/grading/grade.hpp", "common/math/vec.hpp", "course",
+                "references/02_spheres/figures/a.svg", "references/02_spheres/one.scene",
+                "tests/02_spheres/x_test.cpp", "tests/CMakeLists.txt", "tests/oracle/sum.cpp"});
     CHECK(handed.text(exercise) == read_file(handed.project.root / exercise));
     CHECK(handed.text(pristine) == handed.text(exercise));
     CHECK((fs::status(handed.directory / "course").permissions() & fs::perms::owner_exec) != fs::perms::none);

@@ -19,6 +19,7 @@ cp "$COURSE_ROOT"/chapters/01_ray_casting/*.cpp submissions/cleo
 
 expect "a report in a form that there is not" 2 "similar.txt: expected a name that ends in .html, .csv or .json" \
     "$course" similarity submissions/* -o similar.txt
+expect "the same name twice" 2 "two submissions of the same name" "$course" similarity submissions/ada submissions/../submissions/ada
 expect "a submission that there is not" 2 "submissions/dan: No such file" "$course" similarity submissions/dan
 expect "the most similar are told" 0 "100 %   100 % of ada, 100 % of ben" "$course" similarity submissions/* --chapter 01
 expect "published answers, too" 0 "100 % of ben, 100 % of our solution" "$course" similarity submissions/* --chapter 01
@@ -32,6 +33,14 @@ done
 [ "$(grep -c '^01_ray_casting,ada,ben,no,1.000,' similarity.csv)" = 1 ] || fail "a row a pair" "$(cat similarity.csv)"
 expect "fewer pairs" 0 "^  100 %   100 % of ada, 100 % of ben$" "$course" similarity submissions/ada submissions/ben --chapter 01 --least 100
 expect "more than all" 2 "--least" "$course" similarity submissions/* --least 101
+
+# Archives are compared as directories are, opened in boxes as good as this machine has them.
+bsdtar --format zip -cf ben.zip -C submissions ben
+for level in bwrap user none; do
+    "$course" similarity submissions/ada ben.zip --chapter 01 --isolation $level >said 2>&1 && break
+    grep -q "is not possible here" said || break
+done
+grep -q "100 % of ada, 100 % of ben" said || fail "an archive" "$(cat said)"
 
 cd "$COURSE_ROOT" || exit
 rm -rf "$class"

@@ -53,7 +53,8 @@ bool is_command(const std::string& text) {
 std::vector<fs::path> texts() {
     const fs::path root = test::repository();
     std::vector<fs::path> files{root / "README.md", root / "CONTRIBUTING.md",
-                                root / "common/grading/README.md", root / "common/scene/README.md"};
+                                root / "common/grading/README.md", root / "common/grading/REFERENCE.md",
+                                root / "common/scene/README.md"};
     for (const auto& entry : fs::directory_iterator(root / "chapters"))
         if (fs::exists(entry.path() / "README.md")) files.push_back(entry.path() / "README.md");
     std::ranges::sort(files);
@@ -137,10 +138,10 @@ constexpr Elsewhere elsewhere[] = {
     {"reset", "tests/program/scratch_course.sh", "./course reset 99.1"},
     {"solution", "tests/program/scratch_course.sh", "./course solution 99.1"},
     {"new", "tests/program/scratch_course.sh", "./course new 97_fresh"},
-    {"grade", "tests/program/grade.sh", "grade submissions/* --chapter 01 --seed 5"},
-    {"similarity", "tests/program/similarity.sh", "similarity submissions/* --chapter 01"},
-    {"autograder", "tests/program/autograder.sh", "autograder autograder.zip --chapter 01 --seed 5 --rubric"},
-    {"handout", "tests/program/handout.sh", "handout \"$handout\" --chapters 1-5 --class"},
+    {"grade", "tests/program/guide.sh", "follow README.md"},
+    {"similarity", "tests/program/guide.sh", "follow README.md"},
+    {"autograder", "tests/program/guide.sh", "follow REFERENCE.md"},
+    {"handout", "tests/program/guide.sh", "follow README.md"},
 };
 
 /// Of these only what they name is looked at here: that there is such a chapter, step or option.
