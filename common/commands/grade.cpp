@@ -25,14 +25,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The paths of the part's submissions; without a part, of all.
-std::vector<fs::path> paths_of(const ClassList& list, const std::optional<ClassPart>& part) {
-    std::vector<fs::path> paths;
-    for (std::size_t i = 0; i < list.paths.size(); ++i)
-        if (!part || is_in(*part, i)) paths.push_back(list.paths[i]);
-    return paths;
-}
-
 std::vector<Grade> grades_of(const Project& project, const GraderOptions& options,
                              const std::vector<Submission>& submissions) {
     Grader grader(project, options);
@@ -63,7 +55,7 @@ void mark(const GradeCommand& command, const Project& project, GraderOptions opt
     const ClassList list = class_list(command.submissions);
     if (!command.part.empty()) results.part = part_named(command.part, list.names);
     std::vector<Submission> submissions =
-        read_submissions(project, paths_of(list, results.part), options.chapters, options.isolation);
+        read_class(list, results.part, project, options.chapters, options.isolation);
     if (!command.submitted.empty())
         tell_times(submissions, command.submitted);
     else if (!options.rubric.due.empty())
@@ -79,7 +71,7 @@ std::string script_for(const GradeCommand& command, const Project& project, cons
                        const GraderOptions& options) {
     require_engine(command.on);
     const ClassList list = class_list(command.submissions);
-    read_submissions(project, list.paths, options.chapters, options.isolation);
+    read_class(list, {}, project, options.chapters, options.isolation);
     ClassScript script{.engine = command.on,
                        .course = project.root / "course",
                        .directory = fs::current_path(),

@@ -38,8 +38,8 @@ int run_similarity(const SimilarityCommand& command) {
     const Format format = command.output.empty() ? similarity_text : format_of(command.output);
     if (!command.output.empty()) require_writable(command.output);
     const std::vector<const Chapter*> asked = named_chapters(chapters, command.chapters);
-    const std::vector<Submission> submissions = read_submissions(
-        project, class_list(command.submissions).paths, asked, isolation_named(command.isolation));
+    const std::vector<Submission> submissions =
+        read_class(class_list(command.submissions), {}, project, asked, isolation_named(command.isolation));
 
     SimilarityOptions options;
     options.least_similarity = command.least / 100.0;

@@ -4,7 +4,6 @@
 #include "common/grading/staged_directory.hpp"
 #include "common/grading/system_files.hpp"
 #include "common/image/descriptor.hpp"
-#include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
 
 #include <fcntl.h>
@@ -26,9 +25,8 @@ namespace {
 /// Of names, as bytes: some fifty thousand files. Students pack what they have built, too.
 constexpr std::uint64_t longest_list = std::uint64_t{4} << 20;
 
-[[noreturn]] void refuse(const fs::path& archive, const std::string& why) {
-    throw InputError(fmt::format("{}: {}", printable(archive.string()), why));
-}
+/// The status of a shell that could not start a program, and of a program without its libraries.
+constexpr int not_started = 127;
 
 Box box_for(Isolation isolation) {
     Box box;
@@ -51,21 +49,26 @@ std::string complaint(const std::string& errors) {
 }
 
 /// Runs bsdtar on an archive, which it gets as a descriptor: no path to it need be open to the box. A
-/// password is given so that it asks nobody for one. Throws InputError if it has anything to complain about.
+/// password is given so that it asks nobody for one. Throws BadSubmission if it has anything to complain
+/// about.
 Ending bsdtar(const fs::path& archive, const Box& box, const std::vector<std::string>& arguments) {
     const Descriptor file(::open(archive.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (file.number < 0) refuse(archive, std::strerror(errno));
+    if (file.number < 0)
+        throw InputError(fmt::format("{}: {}", printable(archive.string()), std::strerror(errno)));
     std::vector<std::string> command{"/usr/bin/sh", "-c",           "exec bsdtar \"$@\" -f - <&3",
                                      "sh",          "--passphrase", "none"};
     command.insert(command.end(), arguments.begin(), arguments.end());
     const int descriptors[] = {file.number};
     Ending ending = run_in(box, command, descriptors);
-    if (ending.end == End::Output) refuse(archive, "cannot be unpacked: there are too many files in it");
+    if (ending.end == End::Output)
+        throw BadSubmission(archive, "cannot be unpacked: there are too many files in it");
     if (ending.end != End::Exited)
-        refuse(archive, "cannot be unpacked: that " + in_words(ending, box.limits));
+        throw BadSubmission(archive, "cannot be unpacked: that " + in_words(ending, box.limits));
     if (ending.number == 0) return ending;
-    if (ending.errors.find("passphrase") != std::string::npos) refuse(archive, "is encrypted");
-    refuse(archive, "cannot be unpacked: " + printable(complaint(ending.errors)));
+    const std::string said = printable(complaint(ending.errors));
+    if (ending.number == not_started) throw InputError("bsdtar does not start: " + said);
+    if (ending.errors.find("passphrase") != std::string::npos) throw BadSubmission(archive, "is encrypted");
+    throw BadSubmission(archive, "cannot be unpacked: " + said);
 }
 
 /// How many directories a path of an archive has; "./a//b/" has two. Nothing for one that leads upwards.
@@ -103,8 +106,8 @@ Found::value_type chosen(const fs::path& archive, const Found& found) {
         for (const auto& one : found)
             if (depth_of(one.first) == depth) there.push_back(one);
         if (there.size() > 1)
-            refuse(archive, fmt::format("both {} and {} have exercises", printable(there[0].first),
-                                        printable(there[1].first)));
+            throw BadSubmission(archive, fmt::format("has exercises in both {} and {}",
+                                                     printable(there[0].first), printable(there[1].first)));
         if (!there.empty()) return there.front();
     }
     return {};
@@ -144,7 +147,7 @@ Submission read_archive(const fs::path& archive, const std::vector<const Chapter
 
     Box box = box_for(isolation);
     const auto exercises = chosen(archive, find_exercises(bsdtar(archive, box, {"-t"}).output, places));
-    if (exercises.second.empty()) refuse_without_exercises(archive, chapters);
+    if (exercises.second.empty()) throw without_exercises(archive, chapters);
 
     const StagedDirectory unpacked(fs::temp_directory_path() / "course-unpacked");
     for (const std::string& place : exercises.second) {
@@ -164,8 +167,14 @@ Submission read_archive(const fs::path& archive, const std::vector<const Chapter
 
 Submission read_handed_in(const fs::path& path, const std::vector<const Chapter*>& chapters,
                           Isolation isolation) {
-    return fs::is_regular_file(path) ? read_archive(path, chapters, isolation)
-                                     : read_submission(path, chapters);
+    try {
+        return fs::is_regular_file(path) ? read_archive(path, chapters, isolation)
+                                         : read_submission(path, chapters);
+    } catch (const BadSubmission& bad) {
+        Submission none{name_of_submission(path), {}, {}};
+        none.refused = bad.why;
+        return none;
+    }
 }
 
 }  // namespace rt

@@ -8,7 +8,7 @@
 namespace rt {
 namespace {
 
-constexpr std::array<std::pair<Verdict, std::string_view>, 8> names{{
+constexpr std::array<std::pair<Verdict, std::string_view>, 9> names{{
     {Verdict::Passed, "passed"},
     {Verdict::Failed, "failed"},
     {Verdict::Todo, "todo"},
@@ -17,6 +17,7 @@ constexpr std::array<std::pair<Verdict, std::string_view>, 8> names{{
     {Verdict::TooMuchMemory, "too much memory"},
     {Verdict::NotCompiled, "not compiled"},
     {Verdict::NeedsStep, "needs another step"},
+    {Verdict::NotTaken, "not taken"},
 }};
 
 }  // namespace

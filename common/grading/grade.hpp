@@ -12,10 +12,20 @@
 
 namespace rt {
 
-enum class Verdict { Passed, Failed, Todo, Crashed, TimedOut, TooMuchMemory, NotCompiled, NeedsStep };
+enum class Verdict {
+    Passed,
+    Failed,
+    Todo,
+    Crashed,
+    TimedOut,
+    TooMuchMemory,
+    NotCompiled,
+    NeedsStep,
+    NotTaken
+};
 
-/// "passed", "failed", "todo", "crashed", "timed out", "too much memory", "not compiled" or "needs another
-/// step".
+/// "passed", "failed", "todo", "crashed", "timed out", "too much memory", "not compiled", "needs another
+/// step", or "not taken": the whole submission could not be read.
 std::string_view name_of(Verdict verdict);
 std::optional<Verdict> verdict_named(std::string_view name);
 

@@ -86,6 +86,12 @@ StepRun not_compiled(const StepRun& run, const std::string& error) {
     return none;
 }
 
+/// No step of a submission that was not taken, so that nothing of it could be run, has a mark.
+std::vector<StepRun> not_taken(const Chapter& chapter, const std::string& refused) {
+    const Stop stop{Verdict::NotTaken, "what was handed in " + refused, {}};
+    return std::vector<StepRun>(chapter.steps.size(), StepRun{{}, {}, stop, ""});
+}
+
 /// The picture that the test of this name has left; empty if none.
 std::string picture_of(const Job& job, const std::string& test) {
     const fs::path file = job.pictures / (fingerprint(test) + ".png");
@@ -121,7 +127,7 @@ Grader::Grader(const Project& project, GraderOptions options)
       workshop_((prepare_boxes(project, options_.isolation), project), options_.chapters,
                 options_.isolation) {}
 
-void Grader::grade_chapter(const Chapter& chapter, const Submission& submission, Grade& grade) {
+std::vector<StepRun> Grader::run_chapter(const Chapter& chapter, const Submission& submission, Grade& grade) {
     const fs::path directory = workshop_.place() / "work" / std::to_string(graded_) / chapter.number;
     fs::create_directories(directory);
     const BuiltWorker worker = workshop_.build(chapter, submission, directory);
@@ -133,15 +139,23 @@ void Grader::grade_chapter(const Chapter& chapter, const Submission& submission,
         runs = judge_steps(job);
         if (worker.errors.empty()) add_pictures(job, runs);
     }
-    const int late = late_percent(options_.rubric, chapter.number, grade.submitted);
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const Step& step = chapter.steps[i];
-        const auto error = worker.errors.find(step.file);
+        const auto error = worker.errors.find(chapter.steps[i].file);
         if (error != worker.errors.end()) runs[i] = not_compiled(runs[i], error->second);
-        grade.steps.push_back(marked(chapter, step, options_.rubric.steps.at(step.id), late, runs[i]));
     }
     std::error_code ignored;
     fs::remove_all(directory.parent_path(), ignored);
+    return runs;
+}
+
+void Grader::grade_chapter(const Chapter& chapter, const Submission& submission, Grade& grade) {
+    const std::vector<StepRun> runs = submission.refused.empty() ? run_chapter(chapter, submission, grade)
+                                                                 : not_taken(chapter, submission.refused);
+    const int late = late_percent(options_.rubric, chapter.number, grade.submitted);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const Step& step = chapter.steps[i];
+        grade.steps.push_back(marked(chapter, step, options_.rubric.steps.at(step.id), late, runs[i]));
+    }
 }
 
 Grade Grader::grade(const Submission& submission, const std::function<void(double)>& progress) {

@@ -2,7 +2,7 @@
 // runs what a student wrote.
 #pragma once
 
-#include "common/grading/grade.hpp"
+#include "common/grading/marks.hpp"
 #include "common/grading/rubric.hpp"
 #include "common/grading/workshop.hpp"
 
@@ -26,11 +26,12 @@ public:
     /// Builds what all submissions share. Throws InputError if there can be no box at this level.
     Grader(const Project& project, GraderOptions options);
 
-    /// Never throws for what a submission does. `progress` is told before each chapter how much of the
-    /// submission is marked, from 0 to 1.
+    /// Never throws for what a submission does or is: one that was refused has no marks, and its reason in
+    /// each step. `progress` is told before each chapter how much of the submission is marked, from 0 to 1.
     Grade grade(const Submission& submission, const std::function<void(double)>& progress = {});
 
 private:
+    std::vector<StepRun> run_chapter(const Chapter& chapter, const Submission& submission, Grade& grade);
     void grade_chapter(const Chapter& chapter, const Submission& submission, Grade& grade);
 
     const Project& project_;

@@ -121,8 +121,9 @@ GradedStep marked(const Chapter& chapter, const Step& step, const StepRubric& ru
         failure_of(step.id, ended(rubric, run, true), stopped_hidden ? run.stop : std::nullopt);
     if (graded.checks.all + graded.hidden.all == 0 && !graded.failure)
         graded.failure = FailedCheck{"", "there is no check of this step"};
-    if (graded.verdict != Verdict::Passed && graded.verdict != Verdict::NeedsStep && !step.hints.empty())
-        graded.hint = 1;
+    const bool no_hint_helps = graded.verdict == Verdict::Passed || graded.verdict == Verdict::NeedsStep ||
+                               graded.verdict == Verdict::NotTaken;
+    if (!no_hint_helps && !step.hints.empty()) graded.hint = 1;
     graded.difference = run.difference;
     return graded;
 }

@@ -13,7 +13,7 @@ namespace rt {
 
 /// What kept a step's checks from coming to their end.
 struct Stop {
-    Verdict verdict = Verdict::Crashed;  ///< Crashed, TimedOut, TooMuchMemory or NotCompiled
+    Verdict verdict = Verdict::Crashed;  ///< Crashed, TimedOut, TooMuchMemory, NotCompiled or NotTaken
     std::string why;                ///< "segmentation fault", "did not finish in 10 s", the compiler's error
     std::optional<TestRun> during;  ///< the check that was running, if one was
 };

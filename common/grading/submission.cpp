@@ -2,7 +2,6 @@
 #include "common/grading/submission.hpp"
 
 #include "common/image/descriptor.hpp"
-#include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
 
 #include <fcntl.h>
@@ -91,8 +90,9 @@ void take_below(const fs::path& directory, int root, const std::vector<const Cha
         take_all(below.number, chapters, there);
         if (is_empty(there)) continue;
         if (!found.empty())
-            throw InputError(fmt::format("{}: both {} and {} have exercises", printable(directory.string()),
-                                         printable(std::min(found, name)), printable(std::max(found, name))));
+            throw BadSubmission(
+                directory, fmt::format("has exercises in both {} and {}", printable(std::min(found, name)),
+                                       printable(std::max(found, name))));
         found = name;
         submission.files = std::move(there.files);
         submission.remarks = std::move(there.remarks);
@@ -100,6 +100,9 @@ void take_below(const fs::path& directory, int root, const std::vector<const Cha
 }
 
 }  // namespace
+
+BadSubmission::BadSubmission(const fs::path& path, const std::string& what_it_is)
+    : InputError(fmt::format("{}: {}", printable(path.string()), what_it_is)), why(what_it_is) {}
 
 std::string exercise_path(const Chapter& chapter, std::string_view file) {
     return fmt::format("chapters/{}/{}", chapter.name, file);
@@ -132,18 +135,17 @@ Submission read_submission(const fs::path& directory, const std::vector<const Ch
     Submission submission{name_of_submission(directory), {}, {}};
     take_all(root.number, chapters, submission);
     if (is_empty(submission)) take_below(directory, root.number, chapters, submission);
-    if (is_empty(submission)) refuse_without_exercises(directory, chapters);
+    if (is_empty(submission)) throw without_exercises(directory, chapters);
     return submission;
 }
 
-void refuse_without_exercises(const fs::path& path, const std::vector<const Chapter*>& chapters) {
-    throw InputError(fmt::format("{}: there is no file of an exercise in it, such as {}",
-                                 printable(path.string()),
-                                 exercise_path(*chapters.front(), chapters.front()->steps.front().file)));
+BadSubmission without_exercises(const fs::path& path, const std::vector<const Chapter*>& chapters) {
+    return {path, "has no file of an exercise, such as " +
+                      exercise_path(*chapters.front(), chapters.front()->steps.front().file)};
 }
 
 std::string digest_of(const Submission& submission) {
-    std::string all;
+    std::string all = submission.refused;
     for (const auto& [file, text] : submission.files)
         all += fmt::format("{} {}\n{}\n", file, text.size(), text);
     return fingerprint(all);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/grading/time_stamp.hpp"
+#include "common/math/input_error.hpp"
 #include "common/workbook/catalogue.hpp"
 
 #include <filesystem>
@@ -24,6 +25,14 @@ struct Submission {
     std::vector<std::string> remarks;
     /// When it was handed in, if somebody has said so: files carry whatever times their owner wants.
     std::optional<Moment> submitted = std::nullopt;
+    /// Why nothing of it can be marked, as what follows its name: "is encrypted"; empty where something can.
+    std::string refused{};
+};
+
+/// What was handed in cannot be marked as it is, and whoever did so must be told why.
+struct BadSubmission : InputError {
+    BadSubmission(const std::filesystem::path& path, const std::string& what_it_is);
+    std::string why;  ///< as `Submission::refused`
 };
 
 /// "chapters/02_spheres/sphere.cpp".
@@ -42,16 +51,16 @@ std::vector<std::string> places_of(const Chapter& chapter, std::string_view file
 /// Reads the exercises of these chapters from a directory: a student's whole tree, or the exercises' files
 /// alone, in directories named as the chapters or all in one; or from the only directory in it that has them.
 /// Only regular files count; no symbolic link is followed, not even of a directory. What is missing is left
-/// out. Throws InputError if the directory cannot be read, is empty of exercises, or has them in several
-/// directories.
+/// out. Throws BadSubmission if the directory is empty of exercises or has them in several directories, and
+/// another InputError if it cannot be read.
 Submission read_submission(const std::filesystem::path& directory,
                            const std::vector<const Chapter*>& chapters);
 
-/// Throws the InputError of what has no exercises.
-[[noreturn]] void refuse_without_exercises(const std::filesystem::path& path,
-                                           const std::vector<const Chapter*>& chapters);
+/// What has no exercises.
+BadSubmission without_exercises(const std::filesystem::path& path,
+                                const std::vector<const Chapter*>& chapters);
 
-/// Changes with the text of any file.
+/// Changes with the text of any file, and with the reason why there is none.
 std::string digest_of(const Submission& submission);
 
 }  // namespace rt

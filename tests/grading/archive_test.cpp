@@ -1,5 +1,6 @@
 // Archives that students hand in: what is taken of them, and that no archive harms the grader.
 #include "common/grading/archive.hpp"
+#include "common/grading/class_list.hpp"
 #include "common/grading/isolation.hpp"
 #include "common/grading/submission_times.hpp"
 #include "common/image/whole_file.hpp"
@@ -65,11 +66,11 @@ Submission read(const fs::path& archive) { return read_archive(archive, first(),
 std::string refusal(const fs::path& archive) {
     try {
         read(archive);
-    } catch (const InputError& error) {
-        const std::string line = error.what();
+    } catch (const BadSubmission& bad) {
+        const std::string line = bad.what();
         CHECK(line.find('\n') == std::string::npos);
-        CHECK_THAT(line, Catch::StartsWith(archive.string() + ": "));
-        return line.substr(archive.string().size() + 2);
+        CHECK(line == archive.string() + ": " + bad.why);
+        return bad.why;
     }
     return "taken";
 }
@@ -114,7 +115,7 @@ TEST_CASE("of an archive only regular files of exercises are taken", "[archives]
     bench.add("camera.cpp", "one");
     for (const char* name : {"../../camera.cpp", "..", "x/../camera.cpp"}) {
         const std::string to = std::string("-P -s '|^camera.cpp|") + name + "|' camera.cpp";
-        CHECK_THAT(refusal(bench.zip("out.zip", to)), Catch::StartsWith("there is no file of an exercise"));
+        CHECK_THAT(refusal(bench.zip("out.zip", to)), Catch::StartsWith("has no file of an exercise"));
     }
     // A directory that is a link, and then a file in it.
     bench.made(
@@ -128,9 +129,8 @@ TEST_CASE("of an archive only regular files of exercises are taken", "[archives]
     CHECK(fs::is_empty(bench.place / "outside"));
 
     bench.add(std::string("b/") + camera, "one");
-    CHECK(refusal(bench.zip("two.zip", "a b")) == "both a/ and b/ have exercises");
-    CHECK_THAT(refusal(bench.zip("none.zip", "secret")),
-               Catch::StartsWith("there is no file of an exercise"));
+    CHECK(refusal(bench.zip("two.zip", "a b")) == "has exercises in both a/ and b/");
+    CHECK_THAT(refusal(bench.zip("none.zip", "secret")), Catch::StartsWith("has no file of an exercise"));
     bench.made("", "truncate -s 2M a/" + std::string(plane));
     CHECK_THAT(read(bench.zip("large.zip", "a")).remarks,
                Catch::VectorContains(std::string(plane) + " is larger than 1 MiB"));
@@ -141,7 +141,7 @@ TEST_CASE("what is no archive, encrypted, or unpacks to too much is refused in a
     bench.add("camera.cpp", "int a;\n");
     CHECK(refusal(bench.place / "camera.cpp") ==
           "cannot be unpacked: Error opening archive: Unrecognized archive format");
-    CHECK_THAT(refusal(bench.place / "nothing"), Catch::Contains("No such file"));
+    CHECK_THROWS_WITH(read(bench.place / "nothing"), Catch::EndsWith(": No such file or directory"));
     CHECK(refusal(bench.zip("secret.zip", "--options zip:encryption --passphrase moon camera.cpp")) ==
           "is encrypted");
     bench.made("", "truncate -s 40M plane.cpp");
@@ -178,6 +178,38 @@ TEST_CASE("no archive that is cut short or has wrong bits stops the grader", "[a
     }
     INFO(refused << " of " << all << " were refused");
     CHECK(refused > all / 4);
+}
+
+TEST_CASE("one bad submission does not keep a class from being read", "[archives]") {
+    const Bench bench;
+    std::string text(4000, ' ');  // of which no archive makes less
+    Random random = random_for(18, 0, 0);
+    for (char& c : text) c = static_cast<char>(random_index(random, 256));
+    bench.add("ada/camera.cpp", text);
+    bench.add("nobody/notes.txt", "two");
+    const fs::path whole = bench.zip("ben.zip", "ada"), cut_short = bench.place / "cleo.zip";
+    const std::string bytes = read_file(whole);
+    write_file(cut_short, bytes.substr(0, bytes.size() / 2));
+
+    const ClassList list = class_list({bench.place / "nobody", cut_short, whole, bench.place / "ada"});
+    CHECK(list.names == std::vector<std::string>{"ada", "ben", "cleo", "nobody"});
+    const std::vector<Submission> read = read_class(list, {}, this_project(), first(), level());
+    REQUIRE(read.size() == 4);
+    for (const Submission& good : {read[0], read[1]}) {
+        CHECK(good.files == std::map<std::string, std::string>{{camera, text}});
+        CHECK(good.refused == "");
+    }
+    CHECK_THAT(read[2].refused, Catch::StartsWith("cannot be unpacked: "));
+    CHECK(read[3].refused == std::string("has no file of an exercise, such as ") + camera);
+    for (const Submission& bad : {read[2], read[3]}) CHECK(bad.files.empty());
+    CHECK(digest_of(read[2]) != digest_of(read[3]));
+
+    // A name that leads nowhere is the instructor's mistake.
+    CHECK_THROWS_AS(
+        read_class(class_list({whole, bench.place / "dan.zip"}), {}, this_project(), first(), level()),
+        InputError);
+    CHECK_THROWS_WITH(class_list({bench.place / "ada", bench.made("ada.zip", "cp ben.zip ada.zip")}),
+                      Catch::EndsWith("two submissions of the same name"));
 }
 
 TEST_CASE("an instructor says when submissions were handed in", "[archives]") {

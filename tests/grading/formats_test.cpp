@@ -43,12 +43,24 @@ Grade uncompiled() {
     return grade;
 }
 
+/// One that could not be read.
+Grade not_taken() {
+    Grade grade = test::perfect("dan");
+    for (GradedStep& step : grade.steps) {
+        step.verdict = Verdict::NotTaken;
+        step.earned = {};
+        step.checks = {};
+        step.failure = FailedCheck{"", "what was handed in is encrypted"};
+    }
+    return grade;
+}
+
 /// One whose steps have every verdict that there is.
 Grade every_verdict() {
     Grade grade = test::perfect("carol");
     const GradedStep step = grade.steps.back();
     for (const Verdict verdict : {Verdict::Failed, Verdict::Todo, Verdict::TimedOut, Verdict::TooMuchMemory,
-                                  Verdict::NotCompiled, Verdict::NeedsStep}) {
+                                  Verdict::NotCompiled, Verdict::NeedsStep, Verdict::NotTaken}) {
         grade.steps.push_back(step);
         grade.steps.back().id = "02." + std::to_string(grade.steps.size());
         grade.steps.back().verdict = verdict;
@@ -57,7 +69,9 @@ Grade every_verdict() {
     return grade;
 }
 
-std::vector<Grade> examples() { return {test::perfect("ada"), leaky(), uncompiled(), every_verdict()}; }
+std::vector<Grade> examples() {
+    return {test::perfect("ada"), leaky(), uncompiled(), every_verdict(), not_taken()};
+}
 
 /// What a format makes of all examples.
 template <class Format>
@@ -207,6 +221,9 @@ TEST_CASE("PrairieLearn's results") {
           "chapters/02_spheres/sphere.cpp: sphere.cpp:5:9: error: 'y' was not declared");
     // What other files have earned stays.
     CHECK(json::parse(texts[3])["gradable"] == true);
+    const json not_read = json::parse(texts[4]);
+    CHECK(not_read["gradable"] == false);
+    CHECK(not_read["format_errors"] == json::array({"what was handed in is encrypted"}));
 }
 
 TEST_CASE("PrairieLearn's results are never larger than it takes") {
@@ -256,7 +273,7 @@ TEST_CASE("JUnit's XML") {
     CHECK(test::against_xsd(text, schemas + "junit.xsd") == "");
     CHECK(test::against_xsd("<testsuites><testsuite/></testsuites>", schemas + "junit.xsd") != "");
     CHECK(test::against_xsd(junit_xml({}), schemas + "junit.xsd") == "");
-    CHECK(text.find("<testsuite name=\"carol\" tests=\"9\" failures=\"1\" errors=\"3\" skipped=\"2\"") !=
+    CHECK(text.find("<testsuite name=\"carol\" tests=\"10\" failures=\"1\" errors=\"4\" skipped=\"2\"") !=
           std::string::npos);
     CHECK(text.find("<property name=\"earned\" value=\"17.5\"/>") != std::string::npos);
 }
@@ -310,6 +327,7 @@ TEST_CASE("the instructor's page") {
     CHECK(count("the secret check") >= 2);           // the instructor may see it
     CHECK(count("=1+1 \\xff\\xc3( \\x1b[31m\\x01 &lt;/script&gt;&lt;b&gt;&amp;amp; ]]&gt;") >= 1);
     CHECK(count("src=\"data:image/png;base64,iVBOR") == 1);
+    CHECK(class_page({not_taken()}).find("<td>all</td><td>not taken</td>") != std::string::npos);
     CHECK_NOTHROW(class_page({}));
 }
 

@@ -101,7 +101,7 @@ echo '{"version": 1, "credit": "part"}' >rubric.json
 expect "another rubric" 2 "part1.json: was marked with another rubric than rubric.json" \
     "$course" grade --merge part1.json part2.json --rubric rubric.json
 expect "a part that there is not" 2 "there is no part '3/2' of a class" "$course" grade "${asked[@]}" --part 3/2
-expect "nothing to mark" 2 "name the submissions' directories" "$course" grade
+expect "nothing to mark" 2 "name their directories or archives" "$course" grade
 expect "what is merged is not marked" 2 "excludes" "$course" grade submissions/* --merge part1.json
 
 sed "s|^[^/]*||" after | tr '\n' '\0' | xargs -0r rm

@@ -21,12 +21,6 @@ cp "$COURSE_ROOT"/solutions/01_ray_casting/camera.cpp submissions/ben/chapters/0
 expect "a level that there is not" 2 "bwrap, user" "$course" grade submissions/ada --isolation moon
 expect "a format that there is not" 2 "csv" "$course" grade submissions/ada --format moon
 expect "a submission that there is not" 2 "submissions/dan: No such file" "$course" grade submissions/dan
-mkdir nobody
-expect "a directory without exercises" 2 "nobody: there is no file of an exercise" "$course" grade nobody
-mkdir nobody_else
-several() { "$course" grade submissions/ada nobody_else nobody; }
-expect "several of them, all named" 2 "nobody_else: there is no file of an exercise" several
-expect "and counted" 2 "^2 of 3 submissions cannot be read, so nothing was done: move them away$" several
 expect "a rubric that is none" 2 "rubric.json:1:1" bash -c "echo moon >rubric.json; '$course' grade submissions/ada --rubric rubric.json"
 expect "the same name twice" 2 "two submissions of the same name" "$course" grade submissions/ada submissions/../submissions/ada
 expect "an engine that there is not" 2 "parallel or slurm" "$course" grade submissions/ada --on moon
@@ -69,8 +63,18 @@ expect "late work" 0 "" mark_archives --submitted times.csv -o marks.csv
 [ "$(cut -d, -f1,3 marks.csv)" = "$(printf 'submission,earned\nada,70\nben,15')" ] || fail "late work has less" "$(cat marks.csv)"
 sed -i 2d times.csv
 expect "a time that is missing" 2 "times.csv: it does not say when ben was handed in" mark_archives --submitted times.csv
-echo "no archive" >dan.zip
-expect "what is no archive" 2 "dan.zip: cannot be unpacked: .*Unrecognized" "$course" grade dan.zip --isolation $level
+
+# What cannot be read has no marks, and a reason; the others have theirs.
+mkdir -p bad/nobody
+head -c "$(($(stat -c %s ada.zip) / 2))" ada.zip >bad/dan.zip
+expect "a class with bad submissions" 0 "bad/dan.zip: not taken: it cannot be unpacked: " \
+    "$course" grade ada.zip bad/* --chapter 01 --seed 5 --isolation $level -o marks.csv
+[ "$(cut -d, -f1,3,4 marks.csv)" = "$(printf 'submission,earned,possible\nada,70,70\ndan,0,70\nnobody,0,70')" ] ||
+    fail "bad submissions keep nobody from having marks" "$(cat marks.csv)"
+expect "a student reads why" 0 "what was handed in cannot be unpacked" \
+    "$course" grade bad/dan.zip --chapter 01 --seed 5 --isolation $level --format gradescope
+expect "an instructor reads why" 0 "what was handed in has no file of an exercise, such as chapters/01" \
+    "$course" grade bad/nobody --chapter 01 --seed 5 --isolation $level --format html
 
 expect "what a level leaves open is said" 0 "level none leaves open: read what everybody may read" \
     "$course" grade submissions/cleo --chapter 01 --seed 5 --isolation none -o marks.csv

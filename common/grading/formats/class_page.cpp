@@ -140,10 +140,12 @@ PageView stopped_of(const std::vector<Grade>& grades) {
             if (!is_error(step.verdict)) continue;
             const auto& failure = step.failure ? step.failure : step.hidden_failure;
             PageView row = link_to(grades, i);
-            row["id"] = step.id;
+            const bool whole = step.verdict == Verdict::NotTaken;
+            row["id"] = whole ? "all" : step.id;
             row["word"] = name_of(step.verdict);
             row["why"] = failure ? failure->said.substr(0, failure->said.find('\n')).substr(0, 200) : "";
             stopped.push_back(row);
+            if (whole) break;
         }
     return stopped;
 }

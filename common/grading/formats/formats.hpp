@@ -32,9 +32,9 @@ struct Classroom50Names {
 std::string classroom50(const ShownGrade& shown, const Classroom50Names& names);
 
 /// PrairieLearn's results.json, at most `most_prairielearn` bytes: where it would be more, the largest
-/// difference pictures are left out first, then the longest texts. What does not compile and has earned
-/// nothing is not gradable, which there costs no attempt; where other files have earned something, that is
-/// kept.
+/// difference pictures are left out first, then the longest texts. What was not taken, or does not compile
+/// and has earned nothing, is not gradable, which there costs no attempt; where other files have earned
+/// something, that is kept.
 std::string prairielearn(const ShownGrade& shown);
 inline constexpr std::size_t most_prairielearn = 1'000'000;
 

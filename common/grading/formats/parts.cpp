@@ -44,7 +44,7 @@ std::string points_line(const GradedStep& step) {
 
 bool is_error(Verdict verdict) {
     return verdict == Verdict::Crashed || verdict == Verdict::TimedOut || verdict == Verdict::TooMuchMemory ||
-           verdict == Verdict::NotCompiled;
+           verdict == Verdict::NotCompiled || verdict == Verdict::NotTaken;
 }
 
 bool is_skipped(Verdict verdict) { return verdict == Verdict::Todo || verdict == Verdict::NeedsStep; }

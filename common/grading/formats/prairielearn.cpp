@@ -31,12 +31,14 @@ Json tests_of(const Grade& grade) {
     return tests;
 }
 
-std::vector<std::string> compile_errors(const Grade& grade) {
+/// What does not compile, or what kept the whole submission from being taken; each once.
+std::vector<std::string> format_errors(const Grade& grade) {
     std::vector<std::string> errors;
     for (const GradedStep& step : grade.steps) {
-        if (step.verdict != Verdict::NotCompiled || !step.failure) continue;
+        const bool whole = step.verdict == Verdict::NotTaken;
+        if ((step.verdict != Verdict::NotCompiled && !whole) || !step.failure) continue;
         const std::string error =
-            step.file + ": " + printable(step.failure->said.substr(0, 1000), Keep::Lines);
+            (whole ? "" : step.file + ": ") + printable(step.failure->said.substr(0, 1000), Keep::Lines);
         if (std::find(errors.begin(), errors.end(), error) == errors.end()) errors.push_back(error);
     }
     return errors;
@@ -75,7 +77,7 @@ void shorten(Json& result) {
 std::string prairielearn(const ShownGrade& shown) {
     require_shown(shown);
     const Grade& grade = shown.grade;
-    const std::vector<std::string> errors = compile_errors(grade);
+    const std::vector<std::string> errors = format_errors(grade);
     const Points most = possible(grade), own = earned(grade);
     const double score =
         most.hundredths == 0 ? 0 : static_cast<double>(own.hundredths) / static_cast<double>(most.hundredths);
