@@ -1,10 +1,11 @@
 // The main program of every test program: Catch2, and a report that a crash cannot take away.
-// Beside Catch2's own options: --quick (fewer random cases), --seed N (other random cases) and --report FILE
-// (see below).
+// Beside Catch2's own options: --quick (fewer random cases), --seed N (other random cases), --report FILE
+// (see below), and those of the program alone (tests/own_options.hpp).
 #define COURSE_TEST_MAIN
 #include "common/math/printable.hpp"
 #include "common/math/todo.hpp"
 #include "tests/catch.hpp"
+#include "tests/own_options.hpp"
 #include "tests/support.hpp"
 
 #include <csignal>
@@ -71,9 +72,8 @@ std::string describe(const Catch::AssertionStats& stats) {
     return text.str();
 }
 
-/// Writes one line of JSON for each test case that will run, then one as it starts and one as it ends, so
-/// that whoever started the program knows in which test it died and which it never came to:
-///   {"chosen":"name","steps":["02.1"]}
+/// Writes one line of JSON as a test case starts and one as it ends, so that whoever started the program
+/// knows in which test it died:
 ///   {"started":"name","steps":["02.1"]}
 ///   {"ended":"name","steps":["02.1"],"state":"todo|failed|passed","message":"…","missing":"02.1","stopped":"…"}
 /// and {"finished":true} after the last.
@@ -84,15 +84,7 @@ struct Report : Listener {
     std::string first_failure;
 
     void testRunStarting(const Catch::TestRunInfo&) override {
-        if (report_file.empty()) return;
-        out.open(report_file, std::ios::trunc);
-        for (const auto& test : Catch::getAllTestCasesSorted(*m_config)) {
-            const Catch::TestCaseInfo& info = test.getTestCaseInfo();
-            const bool chosen = m_config->hasTestFilters()
-                                    ? Catch::matchTest(test, m_config->testSpec(), *m_config)
-                                    : !info.isHidden();
-            if (chosen) out << "{\"chosen\":" << json(info.name) << ",\"steps\":" << steps(info) << "}\n";
-        }
+        if (!report_file.empty()) out.open(report_file, std::ios::trunc);
     }
 
     void testCaseStarting(const Catch::TestCaseInfo& info) override {
@@ -156,6 +148,8 @@ int main(int argc, char** argv) {
         session.cli() | options::Opt(quick)["--quick"]("fewer random cases, as in a student's check") |
         options::Opt(case_seed, "number")["--seed"]("other random cases than those that everybody knows") |
         options::Opt(report_file, "file")["--report"]("write a line of JSON a test case"));
+    for (OwnOption* own : own_options())
+        session.cli(session.cli() | options::Opt(own->values, own->value_name)[own->name](own->help));
     if (session.applyCommandLine(argc, argv) != 0) return 2;
     session.run();
     if (!finished) return 0;

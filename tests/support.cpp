@@ -1,12 +1,14 @@
 // Helpers for all tests: how many cases, and where things are.
 #include "tests/support.hpp"
 
+#include "tests/own_options.hpp"
 #include "tests/pictures.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
+#include <utility>
 
 namespace rt::test {
 
@@ -19,6 +21,16 @@ double (*running_seconds)() = [] {
 };
 
 void (*pictures_differ)(const Image&, const Image&) = [](const Image&, const Image&) {};
+
+std::vector<OwnOption*>& own_options() {
+    static std::vector<OwnOption*> options;
+    return options;
+}
+
+OwnOption::OwnOption(std::string option, std::string value, std::string about)
+    : name(std::move(option)), value_name(std::move(value)), help(std::move(about)) {
+    own_options().push_back(this);
+}
 
 int cases(int full) { return quick ? std::max(1, full / 10) : full; }
 

@@ -3,11 +3,11 @@
 #include "common/commands/commands.hpp"
 #include "common/grading/chosen_chapters.hpp"
 #include "common/grading/class_list.hpp"
+#include "common/grading/class_marks.hpp"
 #include "common/grading/class_script.hpp"
 #include "common/grading/formats/formats.hpp"
 #include "common/grading/grade_json.hpp"
 #include "common/grading/isolation.hpp"
-#include "common/grading/kept_grades.hpp"
 #include "common/grading/private_words.hpp"
 #include "common/grading/submission_times.hpp"
 #include "common/image/whole_file.hpp"
@@ -17,38 +17,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace rt {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::vector<Grade> grades_of(const Project& project, const GraderOptions& options,
-                             const std::vector<Submission>& submissions) {
-    Grader grader(project, options);
-    const KeptGrades kept(project, options);
-    std::vector<std::optional<Grade>> grades;
-    for (const Submission& submission : submissions) grades.push_back(kept.find(submission));
-
-    // The time that remains is told from what is marked now.
-    const auto to_do = std::count(grades.begin(), grades.end(), std::nullopt);
-    std::ptrdiff_t done = 0;
-    Progress progress("Grading");
-    for (std::size_t i = 0; i < grades.size(); ++i) {
-        if (grades[i]) continue;
-        grades[i] = grader.grade(submissions[i], [&](double of_this_one) {
-            progress.update((static_cast<double>(done) + of_this_one) / static_cast<double>(to_do),
-                            fmt::format("Grading {} of {}", done + 1, to_do));
-        });
-        kept.keep(submissions[i], *grades[i]);
-        ++done;
-    }
-    std::vector<Grade> all;
-    for (std::optional<Grade>& grade : grades) all.push_back(std::move(*grade));
-    return all;
-}
 
 void mark(const GradeCommand& command, const Project& project, GraderOptions options,
           FormatRequest& results) {
@@ -63,7 +36,11 @@ void mark(const GradeCommand& command, const Project& project, GraderOptions opt
     if (!command.seed) options.seed = seed_of_class(project);
     if (const std::vector<std::string> open = open_at(options.isolation); !open.empty())
         say("level {} leaves open: {}", name_of(options.isolation), fmt::join(open, "; "));
-    results.grades = grades_of(project, options, submissions);
+    Grader grader(project, options);
+    results.grades = marks_of(submissions, KeptGrades(project, options),
+                              [&](const Submission& submission, const auto& progress) {
+                                  return grader.grade(submission, progress);
+                              });
 }
 
 /// Whatever is wrong with what is asked is said now, and not on another machine.

@@ -68,9 +68,7 @@ void test_program(const Project& project, const std::string& name, bool quick, S
     part.expect(late == ended.end(),
                 fmt::format("{}: the plain test \"{}\" comes after a family of extreme cases", name,
                             late == ended.end() ? "" : late->name));
-    if (!outcome.death.empty())
-        part.expect(false, fmt::format("{} {} in \"{}\"", name, outcome.death,
-                                       outcome.report.died_in ? outcome.report.died_in->name : "no test"));
+    if (!outcome.death.empty()) part.expect(false, fmt::format("{} {}", name, death_in_words(outcome)));
     if (outcome.death.empty() && outcome.report.ended.empty()) part.expect(false, name + " has no tests");
 }
 

@@ -3,10 +3,10 @@
 
 #include "common/grading/isolation.hpp"
 #include "common/grading/judged.hpp"
+#include "common/grading/run_judge.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/stopwatch.hpp"
 #include "common/terminal/lock.hpp"
-#include "common/terminal/process.hpp"
 
 #include <fmt/format.h>
 
@@ -19,58 +19,39 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The judge itself limits the time of a call, and of all of them, by what they would take on a machine with
-// nothing else to do (tests/grading/judge.cpp). This is for one that hangs all the same.
-constexpr double hour = 3600;
-
-/// A judge and the worker that it is to judge.
+/// A chapter, and what its judge is told.
 struct Job {
     const Project& project;
     const Chapter& chapter;
-    const GraderOptions& options;
-    fs::path worker;
-    fs::path pictures;  ///< where difference pictures go (tests/grading/picture.cpp)
+    JudgeOptions options;
 };
 
-std::string scenes_of(const Job& job) {
-    std::string lines;
-    for (const std::string& scene : job.chapter.scenes)
-        lines += (job.project.root / "references" / job.chapter.name / scene).string() + "\n";
-    return lines;
+/// The job of judging a worker. Pictures go into a new directory beside it.
+Job job_for(const Project& project, const Chapter& chapter, const GraderOptions& options,
+            const fs::path& worker) {
+    Job job{project,
+            chapter,
+            {.worker = worker,
+             .isolation = options.isolation,
+             .call_seconds = options.call_seconds,
+             .judge_seconds = options.judge_seconds,
+             .seed = options.seed,
+             .pictures = worker.parent_path() / "pictures",
+             .scenes = {}}};
+    for (const std::string& scene : chapter.scenes)
+        job.options.scenes.push_back(project.root / "references" / chapter.name / scene);
+    fs::create_directory(job.options.pictures);
+    return job;
 }
 
-ProcessResult run_judge(const Job& job, const std::vector<std::string>& arguments) {
-    ProcessOptions process;
-    process.time_limit = hour;
-    process.environment = {{"COURSE_WORKER", job.worker.string()},
-                           {"COURSE_ISOLATION", std::string(name_of(job.options.isolation))},
-                           {"COURSE_CALL_SECONDS", std::to_string(job.options.call_seconds)},
-                           {"COURSE_JUDGE_SECONDS", std::to_string(job.options.judge_seconds)},
-                           {"COURSE_PICTURES", job.pictures.string()},
-                           {"COURSE_SCENES", scenes_of(job)}};
-    std::vector<std::string> command{program(job.project, "judge_" + job.chapter.number).string(),
-                                     "--order",
-                                     "decl",
-                                     "--quick",
-                                     "--seed",
-                                     std::to_string(job.options.seed)};
-    command.insert(command.end(), arguments.begin(), arguments.end());
-    return run_process(command, process);
-}
-
-Judged judge(const Job& job, const std::vector<std::string>& tests = {}) {
-    const fs::path file = own_directory(job.project) / ("judge_" + job.chapter.number + ".jsonl");
-    fs::remove(file);
-    std::vector<std::string> arguments{"--report", file.string()};
-    arguments.insert(arguments.end(), tests.begin(), tests.end());
-    const ProcessResult result = run_judge(job, arguments);
-    Stop end{Verdict::Crashed, "the tests came to no end", {}};
-    if (result.timed_out) end = {Verdict::TimedOut, "the tests did not end", {}};
-    return read_judged(fs::exists(file) ? read_file(file) : "", end);
+TestReport judge(const Job& job, const std::vector<std::string>& tests = {}) {
+    const std::string name = "judge_" + job.chapter.number;
+    return run_judge(program(job.project, name), own_directory(job.project) / (name + ".jsonl"), job.options,
+                     tests);
 }
 
 std::vector<StepRun> judge_steps(const Job& job) {
-    const Judged all = judge(job);
+    const TestReport all = judge(job);
     std::vector<StepRun> runs;
     for (const Step& step : job.chapter.steps) {
         runs.push_back(run_of(step, all));
@@ -81,9 +62,7 @@ std::vector<StepRun> judge_steps(const Job& job) {
 
 /// What the pristine exercise in the file's place passes is no work of the student's.
 StepRun not_compiled(const StepRun& run, const std::string& error) {
-    StepRun none{{}, run.ended, Stop{Verdict::NotCompiled, error, {}}, ""};
-    none.not_ended.insert(none.not_ended.end(), run.not_ended.begin(), run.not_ended.end());
-    return none;
+    return {{}, run.ended, Stop{Verdict::NotCompiled, error, {}}, ""};
 }
 
 /// No step of a submission that was not taken, so that nothing of it could be run, has a mark.
@@ -94,7 +73,7 @@ std::vector<StepRun> not_taken(const Chapter& chapter, const std::string& refuse
 
 /// The picture that the test of this name has left; empty if none.
 std::string picture_of(const Job& job, const std::string& test) {
-    const fs::path file = job.pictures / (fingerprint(test) + ".png");
+    const fs::path file = job.options.pictures / (fingerprint(test) + ".png");
     return fs::exists(file) ? read_file(file) : "";
 }
 
@@ -115,7 +94,7 @@ void add_pictures(const Job& job, std::vector<StepRun>& runs) {
         has_one = has_one || !run.difference.empty();
     }
     if (!draws || !first_wrong || has_one) return;
-    run_judge(job, {"[picture]"});
+    judge(job, {"[picture]"});
     first_wrong->difference = picture_of(job, "the chapter's pictures are POV-Ray's");
 }
 
@@ -134,8 +113,7 @@ std::vector<StepRun> Grader::run_chapter(const Chapter& chapter, const Submissio
     grade.peak_bytes = std::max(grade.peak_bytes, static_cast<std::int64_t>(worker.peak_memory));
     std::vector<StepRun> runs(chapter.steps.size());
     if (!worker.program.empty()) {
-        const Job job{project_, chapter, options_, worker.program, directory / "pictures"};
-        fs::create_directory(job.pictures);
+        const Job job = job_for(project_, chapter, options_, worker.program);
         runs = judge_steps(job);
         if (worker.errors.empty()) add_pictures(job, runs);
     }

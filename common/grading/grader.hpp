@@ -27,7 +27,8 @@ public:
     Grader(const Project& project, GraderOptions options);
 
     /// Never throws for what a submission does or is: one that was refused has no marks, and its reason in
-    /// each step. `progress` is told before each chapter how much of the submission is marked, from 0 to 1.
+    /// each step. Throws GraderFault (run_judge.hpp) where a judge fails. `progress` is told before each
+    /// chapter how much of the submission is marked, from 0 to 1.
     Grade grade(const Submission& submission, const std::function<void(double)>& progress = {});
 
 private:

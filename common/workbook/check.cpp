@@ -5,7 +5,6 @@
 #include "common/math/printable.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/lock.hpp"
-#include "common/terminal/process.hpp"
 #include "common/workbook/exercise.hpp"
 #include "common/workbook/solutions.hpp"
 
@@ -41,10 +40,7 @@ std::string without_root(const Project& project, std::string line) {
 }
 
 StepResult died(const std::string& step, const TestOutcome& outcome) {
-    const std::string place = outcome.report.died_in
-                                  ? fmt::format(" in the test \"{}\"", outcome.report.died_in->name)
-                                  : " outside of any test";
-    return {step, State::Failed, outcome.death + place};
+    return {step, State::Failed, death_in_words(outcome)};
 }
 
 /// Every step has failed for the same reason.
@@ -125,29 +121,40 @@ std::string first_error(const Project& project, const std::string& output) {
     return without_root(project, linker.empty() ? last : linker);
 }
 
-TestOutcome run_test_program(const Project& project, const std::string& name, const std::string& tag,
-                             bool quick, double limit) {
-    const fs::path report = own_directory(project) / (name + ".jsonl");
-    fs::remove(report);
+std::string death_in_words(const TestOutcome& outcome) {
+    const std::string place = outcome.report.died_in
+                                  ? fmt::format(" in the test \"{}\"", outcome.report.died_in->name)
+                                  : " outside of any test";
+    return outcome.death + place;
+}
 
-    std::vector<std::string> command{program(project, name).string(), "--order", "decl", "--report",
-                                     report.string()};
-    if (quick) command.push_back("--quick");
-    if (!tag.empty()) command.push_back("[" + tag + "]");
-    ProcessOptions options;
-    options.time_limit = limit;
+TestOutcome run_tests(const fs::path& program, const fs::path& report,
+                      const std::vector<std::string>& arguments, const ProcessOptions& options) {
+    fs::remove(report);
+    std::vector<std::string> command{program.string(), "--order", "decl", "--report", report.string()};
+    command.insert(command.end(), arguments.begin(), arguments.end());
     const ProcessResult result = run_process(command, options);
 
     TestOutcome outcome;
     outcome.seconds = result.seconds;
     if (fs::exists(report)) outcome.report = read_report(read_file(report));
     if (result.timed_out)
-        outcome.death = fmt::format("did not finish in {:g} s", limit);
+        outcome.death = fmt::format("did not finish in {:g} s", options.time_limit);
     else if (result.signal != 0)
         outcome.death = fmt::format("crashed ({})", signal_name(result.signal));
     else if (!outcome.report.complete)
         outcome.death = fmt::format("ended the program (status {})", result.exit_code);
     return outcome;
+}
+
+TestOutcome run_test_program(const Project& project, const std::string& name, const std::string& tag,
+                             bool quick, double limit) {
+    std::vector<std::string> arguments;
+    if (quick) arguments.push_back("--quick");
+    if (!tag.empty()) arguments.push_back("[" + tag + "]");
+    ProcessOptions options;
+    options.time_limit = limit;
+    return run_tests(program(project, name), own_directory(project) / (name + ".jsonl"), arguments, options);
 }
 
 ChapterResult judge_program(const Project& project, const Chapter& chapter, const std::string& name) {

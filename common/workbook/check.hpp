@@ -1,8 +1,10 @@
 // Builds and tests chapters; a compile error, a crash or a hang costs what it must and no more.
 #pragma once
 
+#include "common/terminal/process.hpp"
 #include "common/workbook/results.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,13 @@ struct TestOutcome {
     std::string death;  ///< "crashed (segmentation fault)"; empty if it came to its end
     double seconds = 0;
 };
+
+/// "crashed (segmentation fault) in the test "two roots"".
+std::string death_in_words(const TestOutcome& outcome);
+
+/// Runs a program of tests/main.cpp with these arguments, and has it write its report into a file.
+TestOutcome run_tests(const std::filesystem::path& program, const std::filesystem::path& report,
+                      const std::vector<std::string>& arguments, const ProcessOptions& options);
 
 /// Runs a test program on the tests with a tag, or on all. `time_limit` in seconds, 0 for none.
 TestOutcome run_test_program(const Project& project, const std::string& name, const std::string& tag,

@@ -10,6 +10,7 @@
 #include "common/math/stopwatch.hpp"
 #include "common/math/todo.hpp"
 #include "tests/catch.hpp"
+#include "tests/own_options.hpp"
 #include "tests/support.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <mutex>
 #include <set>
@@ -41,10 +43,36 @@ Limits worker_limits() {
     return limits;
 }
 
-std::string required(const char* variable) {
-    const char* const value = std::getenv(variable);
-    if (!value) throw InputError(fmt::format("{} is not set: course grade starts the judges", variable));
-    return value;
+test::OwnOption worker_program("--worker", "file", "the program that answers the tests' calls");
+test::OwnOption isolation("--isolation", "level", "of its box");
+test::OwnOption call_limit("--call-seconds", "number", "what one call may take; default: 10");
+test::OwnOption judge_limit("--judge-seconds", "number", "what all of them may take; default: 300");
+
+std::string required(const test::OwnOption& option) {
+    if (option.values.empty())
+        throw InputError(fmt::format("{} is missing: ./course grade starts the judges", option.name));
+    return option.values.back();
+}
+
+double seconds_of(const test::OwnOption& option, double otherwise) {
+    return option.values.empty() ? otherwise : std::stod(option.values.back());
+}
+
+/// Ends this judge for what is no worker's doing, so that no test fails by it: its report comes to no end, by
+/// which whoever started it knows (common/grading/run_judge.hpp).
+[[noreturn]] void fail_as_judge(const std::string& why) {
+    std::cerr << "judge: " << why << std::endl;
+    std::_Exit(2);
+}
+
+/// What `action` returns; what it throws is no worker's doing.
+template <class Action>
+auto own_work(Action action) {
+    try {
+        return action();
+    } catch (const std::exception& error) {
+        fail_as_judge(error.what());
+    }
 }
 
 class Worker {
@@ -60,7 +88,7 @@ public:
 
     /// How it ended, once it is not alive; ends it where it is.
     NoAnswer death(const std::string& what) {
-        const Ending ending = boxed.wait();
+        const Ending ending = own_work([&] { return boxed.wait(); });
         const char* how = ending.end == End::Memory                                   ? "too much memory"
                           : ending.end == End::CpuTime || ending.end == End::WallTime ? "timed out"
                                                                                       : "crashed";
@@ -69,11 +97,11 @@ public:
 
 private:
     explicit Worker(const Descriptor& file)
-        : channel(file.number, Side::Judge), box(box_of(required("COURSE_WORKER"))), boxed(run(file)) {}
+        : channel(file.number, Side::Judge), box(box_of(required(worker_program))), boxed(run(file)) {}
 
     static Box box_of(const std::filesystem::path& program) {
         Box box;
-        box.isolation = isolation_named(required("COURSE_ISOLATION"));
+        box.isolation = isolation_named(required(isolation));
         box.limits = worker_limits();
         box.mounts = library_mounts();
         box.mounts.push_back({program.string(), "/worker"});
@@ -82,7 +110,7 @@ private:
 
     Boxed run(const Descriptor& file) const {
         const int descriptors[] = {file.number};
-        return start(box, {seen_from(box, required("COURSE_WORKER"))}, descriptors);
+        return start(box, {seen_from(box, required(worker_program))}, descriptors);
     }
 
     Box box;
@@ -101,15 +129,16 @@ std::unique_ptr<Worker> worker;
 std::recursive_mutex one_at_a_time;
 std::set<std::uint32_t> endless;  // functions that did not return once, and are not asked again
 
-double limit_of(const char* variable, double otherwise) {
-    const char* const said = std::getenv(variable);
-    return said ? std::atof(said) : otherwise;
-}
-
 /// What one call may take. The longest that a solution makes takes less than a second.
-const double call_seconds = limit_of("COURSE_CALL_SECONDS", 10);
+double call_seconds() {
+    static const double limit = seconds_of(call_limit, 10);
+    return limit;
+}
 /// And all tests of the chapter. What has ended before counts; calls after that have no answer.
-const double judge_seconds = limit_of("COURSE_JUDGE_SECONDS", 300);
+double judge_seconds() {
+    static const double limit = seconds_of(judge_limit, 300);
+    return limit;
+}
 
 /// Whether more has passed, of the time that a machine with nothing else to do would have taken: marks do not
 /// depend on how many programs share the processors. Linux counts for how long this process ran, and for how
@@ -143,11 +172,11 @@ Message wait_for_message(std::uint32_t number, std::string_view name) {
     const Timer since_call;
     bool late = false;
     std::optional<Message> message = worker->channel.receive(
-        [&] { return worker->is_alive() && !(late = since_call.is_past(call_seconds)); });
+        [&] { return worker->is_alive() && !(late = since_call.is_past(call_seconds())); });
     if (message) return std::move(*message);
     if (!late) give_up(worker->death(std::string(name)));
     endless.insert(number);
-    give_up(NoAnswer("timed out", fmt::format("{} did not return in {:g} s", name, call_seconds)));
+    give_up(NoAnswer("timed out", fmt::format("{} did not return in {:g} s", name, call_seconds())));
 }
 
 /// What a worker says in words, its beginning: it goes into a report a test.
@@ -188,7 +217,7 @@ void start_worker() {
     static std::optional<NoAnswer> hopeless;
     if (failed == 3) throw NoAnswer(*hopeless);
     try {
-        worker = std::make_unique<Worker>();
+        worker = own_work([] { return std::make_unique<Worker>(); });
         const Message message = wait_for_message(UINT32_MAX, "the program, before anything was called,");
         if (message.kind != Kind::Ready) give_up("the program did not wait for calls");
         failed = 0;
@@ -209,10 +238,10 @@ CATCH_TRANSLATE_EXCEPTION(const NoAnswer& error) {
 std::vector<std::byte> ask(std::uint32_t number, std::string_view name, std::span<const std::byte> arguments,
                            const Callbacks& callbacks) {
     const std::lock_guard lock(one_at_a_time);
-    out_of_time = out_of_time || since_start.is_past(judge_seconds);
+    out_of_time = out_of_time || since_start.is_past(judge_seconds());
     if (out_of_time)
         throw NoAnswer("timed out",
-                       fmt::format("the chapter's tests took longer than {:g} s", judge_seconds));
+                       fmt::format("the chapter's tests took longer than {:g} s", judge_seconds()));
     if (endless.contains(number))
         throw NoAnswer("timed out", fmt::format("{} did not return before, and {}", name, not_called_again));
     if (!worker) start_worker();

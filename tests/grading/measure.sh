@@ -9,7 +9,7 @@ trap 'rm -rf "$place"' EXIT
 chmod 755 "$place"  # a worker has a uid of its own
 worker=$place/worker
 g++ -o "$worker" -Wl,--start-group build/grading/*.a -Wl,--end-group -ltbb -lfmt -lspng -pthread
-export COURSE_WORKER=$worker COURSE_ISOLATION=none
+told=(--worker "$worker" --isolation none)
 
 seconds() {  # seconds TESTS...: of wall clock, the median of five runs, which must pass
     local TIMEFORMAT=%R
@@ -22,12 +22,12 @@ printf 'chapter  one process, s  judge, s  ratio\n'
 for judge in build/bin/judge_??; do
     number=${judge##*_}
     here=$(seconds "build/bin/check_${number}_solution" --seed 5)
-    there=$(seconds "$judge" --seed 5)
+    there=$(seconds "$judge" "${told[@]}" --seed 5)
     awk -v n="$number" -v a="$here" -v b="$there" 'BEGIN { printf "%7s  %14.2f  %8.2f  %5.1f\n", n, a, b, b / a }'
 done
 
 # One function, called again and again.
 test="no ray slips through between two triangles" calls=370000
 here=$(seconds build/bin/check_03_solution "$test")
-there=$(seconds build/bin/judge_03 "$test")
+there=$(seconds build/bin/judge_03 "${told[@]}" "$test")
 awk -v a="$here" -v b="$there" -v n=$calls 'BEGIN { printf "%d calls a second\n", n / (b - a) }'

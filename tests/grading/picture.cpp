@@ -1,5 +1,5 @@
-// The pictures that a judge draws for students, into the directory COURSE_PICTURES: the difference of two
-// that a test finds different, as TEST.png with the fingerprint of the test's name.
+// The pictures that a judge draws for students, into the directory --pictures: the difference of two that a
+// test finds different, as TEST.png with the fingerprint of the test's name.
 #include "common/image/compare.hpp"
 #include "common/image/file.hpp"
 #include "common/render/compile.hpp"
@@ -7,11 +7,10 @@
 #include "common/scene/parse.hpp"
 #include "common/terminal/project.hpp"
 #include "tests/catch.hpp"
+#include "tests/own_options.hpp"
 #include "tests/pictures.hpp"
 
-#include <cstdlib>
 #include <filesystem>
-#include <sstream>
 #include <string>
 
 namespace fs = std::filesystem;
@@ -24,10 +23,8 @@ namespace {
 constexpr int most_pixels_wide = 320;
 constexpr std::uintmax_t most_bytes = 48 * 1024;
 
-std::string variable(const char* name) {
-    const char* const value = std::getenv(name);
-    return value ? value : "";
-}
+test::OwnOption pictures("--pictures", "directory", "where difference pictures go");
+test::OwnOption scenes("--scene", "file", "one of the chapter's scenes, for the test [picture]");
 
 /// Half as wide and as high. Of four pixels the brightest: one that differs must not vanish.
 Image halved(const Image& image) {
@@ -42,12 +39,11 @@ Image halved(const Image& image) {
 
 /// The first of a test.
 void draw_difference(const Image& image, const Image& reference) {
-    const fs::path directory = variable("COURSE_PICTURES");
     const bool alike = image.width == reference.width && image.height == reference.height &&
                        image.pixels.size() == reference.pixels.size();
-    if (directory.empty() || !alike) return;
+    if (pictures.values.empty() || !alike) return;
     const std::string test = Catch::getResultCapture().getCurrentTestName();
-    const fs::path file = directory / (fingerprint(test) + ".png");
+    const fs::path file = fs::path(pictures.values.back()) / (fingerprint(test) + ".png");
     if (fs::exists(file)) return;
     Image shown = difference(image, reference, visible_gain(compare(image, reference)));
     while (shown.width > most_pixels_wide) shown = halved(shown);
@@ -64,11 +60,10 @@ const bool pictures_are_drawn = (test::pictures_differ = draw_difference, true);
 
 }  // namespace rt::grading
 
-// Not run with the others, and no part of a mark. COURSE_SCENES holds the names of the chapter's scenes, a
-// line each. Pictures with samples at random differ from POV-Ray's by their noise, and are left out.
+// Not run with the others, and no part of a mark. Pictures with samples at random differ from POV-Ray's by
+// their noise, and are left out.
 TEST_CASE("the chapter's pictures are POV-Ray's", "[.][picture]") {
-    std::istringstream names(rt::grading::variable("COURSE_SCENES"));
-    for (std::string name; std::getline(names, name);) {
+    for (const std::string& name : rt::grading::scenes.values) {
         const rt::Scene scene = rt::parse_scene(name);
         const fs::path reference_file = fs::path(name).replace_extension(".png");
         if (scene.sampling.count > 1 || !fs::exists(reference_file)) continue;

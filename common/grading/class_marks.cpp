@@ -1,0 +1,50 @@
+// A class's marks: those that are kept, and those that are given now.
+#include "common/grading/class_marks.hpp"
+
+#include "common/grading/run_judge.hpp"
+#include "common/math/counted.hpp"
+#include "common/math/input_error.hpp"
+#include "common/math/printable.hpp"
+#include "common/terminal/console.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace rt {
+
+std::vector<Grade> marks_of(const std::vector<Submission>& submissions, const KeptGrades& kept,
+                            const Marking& mark) {
+    std::vector<std::optional<Grade>> grades;
+    for (const Submission& submission : submissions) grades.push_back(kept.find(submission));
+
+    // The time that remains is told from what is marked now.
+    const auto to_do = std::count(grades.begin(), grades.end(), std::nullopt);
+    std::ptrdiff_t done = 0, failed = 0;
+    Progress progress("Grading");
+    for (std::size_t i = 0; i < grades.size(); ++i) {
+        if (grades[i]) continue;
+        try {
+            grades[i] = mark(submissions[i], [&](double of_this_one) {
+                progress.update((static_cast<double>(done) + of_this_one) / static_cast<double>(to_do),
+                                fmt::format("Grading {} of {}", done + 1, to_do));
+            });
+            kept.keep(submissions[i], *grades[i]);
+        } catch (const GraderFault& fault) {
+            say("{}: not marked, which is the grader's fault: {}", printable(submissions[i].name),
+                printable(fault.what()));
+            ++failed;
+        }
+        ++done;
+    }
+    if (failed > 0)
+        throw InputError(fmt::format(
+            "the grader failed at {}; the others are marked and kept: leave out what failed for results",
+            counted(failed, "submission")));
+    std::vector<Grade> all;
+    for (std::optional<Grade>& grade : grades) all.push_back(std::move(*grade));
+    return all;
+}
+
+}  // namespace rt
