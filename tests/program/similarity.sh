@@ -19,8 +19,9 @@ cp "$COURSE_ROOT"/chapters/01_ray_casting/*.cpp submissions/cleo
 
 expect "a report in a form that there is not" 2 "similar.txt: expected a name that ends in .html, .csv or .json" \
     "$course" similarity submissions/* -o similar.txt
-expect "the same name twice" 2 "two submissions of the same name" "$course" similarity submissions/ada submissions/../submissions/ada
 expect "a submission that there is not" 2 "submissions/dan: No such file" "$course" similarity submissions/dan
+expect "two submissions of one name" 2 "submissions/ada and ada.zip: two submissions of the same name" \
+    bash -c "(cd submissions && bsdtar --format zip -cf ../ada.zip ada) && '$course' similarity submissions/ada ada.zip"
 expect "the most similar are told" 0 "100 %   100 % of ada, 100 % of ben" "$course" similarity submissions/* --chapter 01
 expect "published answers, too" 0 "100 % of ben, 100 % of our solution" "$course" similarity submissions/* --chapter 01
 expect "as JSON" 0 '"second": "ben"' "$course" similarity submissions/* --chapter 01 --json
@@ -34,13 +35,14 @@ done
 expect "fewer pairs" 0 "^  100 %   100 % of ada, 100 % of ben$" "$course" similarity submissions/ada submissions/ben --chapter 01 --least 100
 expect "more than all" 2 "--least" "$course" similarity submissions/* --least 101
 
-# Archives are compared as directories are, opened in boxes as good as this machine has them.
-bsdtar --format zip -cf ben.zip -C submissions ben
+# Archives are opened in boxes, as good as this machine has them; what cannot be opened is told, and is not compared.
+echo "no archive" >dan.zip
 for level in bwrap user none; do
-    "$course" similarity submissions/ada ben.zip --chapter 01 --isolation $level >said 2>&1 && break
+    "$course" similarity ada.zip dan.zip submissions/ben --chapter 01 --isolation $level >archives 2>said && break
     grep -q "is not possible here" said || break
 done
-grep -q "100 % of ada, 100 % of ben" said || fail "an archive" "$(cat said)"
+grep -q "100 %   100 % of ada, 100 % of ben" archives || fail "archives are compared" "$(cat said archives)"
+grep -q "^dan.zip: not taken: it cannot be unpacked: " said || fail "what is no archive is told" "$(cat said)"
 
 cd "$COURSE_ROOT" || exit
 rm -rf "$class"
