@@ -1,6 +1,7 @@
 // A class beyond one machine: the script that marks it in parts on an engine that is there already.
 #include "common/grading/class_script.hpp"
 
+#include "common/math/counted.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
 #include "common/terminal/project.hpp"
@@ -38,6 +39,7 @@ std::string class_script(const ClassScript& script) {
         {"directory", shell_word(script.directory.string())},
         {"options", shell_words(script.options)},
         {"parts", script.parts},
+        {"in_parts", counted(script.parts, "part")},
         {"submissions", shell_words(submissions, " \\\n        ")},
         {"format", script.format},
         {"rubric", script.rubric.empty() ? "" : " --rubric " + shell_word(script.rubric)},

@@ -37,9 +37,13 @@ std::string name_of(const GradedStep& step) { return step.id + " " + step.title;
 
 Points counted_possible(const GradedStep& step) { return step.extra ? Points{} : step.possible; }
 
+std::string of_points(Points earned, Points possible) {
+    return fmt::format("{} of {} {}", text_of(earned), text_of(possible),
+                       possible == whole_points(1) ? "point" : "points");
+}
+
 std::string points_line(const GradedStep& step) {
-    return fmt::format("{} of {} points{}", text_of(step.earned), text_of(step.possible),
-                       step.extra ? ", extra credit" : "");
+    return of_points(step.earned, step.possible) + (step.extra ? ", extra credit" : "");
 }
 
 bool is_error(Verdict verdict) {

@@ -18,7 +18,9 @@ std::string name_of(const GradedStep& step);
 /// What is possible, not counting extra credit: 0 there.
 Points counted_possible(const GradedStep& step);
 
-/// "7.5 of 15 points", "5 of 10 points, extra credit".
+/// "7.5 of 15 points", "0.5 of 1 point".
+std::string of_points(Points earned, Points possible);
+/// The same of a step: "5 of 10 points, extra credit".
 std::string points_line(const GradedStep& step);
 
 /// Whether the step's checks could not do their work: it crashed, did not compile, ….

@@ -3,7 +3,6 @@
 #include "common/grading/formats/parts.hpp"
 #include "common/math/printable.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -83,7 +82,7 @@ std::string prairielearn(const ShownGrade& shown) {
         most.hundredths == 0 ? 0 : static_cast<double>(own.hundredths) / static_cast<double>(most.hundredths);
     Json result = {{"gradable", errors.empty() || own.hundredths > 0},
                    {"score", std::min(score, 1.0)},
-                   {"message", fmt::format("{} of {} points", text_of(own), text_of(most))},
+                   {"message", of_points(own, most)},
                    {"output", "isolation: " + printable(grade.isolation)},
                    {"format_errors", errors},
                    {"images", Json::array()},
