@@ -56,6 +56,16 @@ std::vector<std::string> built(const Project& project, const std::vector<std::st
     return good;
 }
 
+void judge_built(const Project& project, const std::vector<std::string>& programs, SelfTest& part,
+                 const std::function<void(std::size_t, SelfTest&)>& expect) {
+    const std::vector<std::string> good = built(project, programs, part);
+    std::vector<SelfTest> results(programs.size());
+    side_by_side(programs.size(), [&](std::size_t i) {
+        if (std::find(good.begin(), good.end(), programs[i]) != good.end()) expect(i, results[i]);
+    });
+    for (const SelfTest& result : results) part.add(result);
+}
+
 void test_program(const Project& project, const std::string& name, bool quick, SelfTest& part) {
     const TestOutcome outcome = run_test_program(project, name, "", quick, program_seconds);
     for (const TestRun& test : outcome.report.ended) {
@@ -75,13 +85,11 @@ void test_program(const Project& project, const std::string& name, bool quick, S
 void test_exercises(const Project& project, const std::vector<Chapter>& chapters, SelfTest& part) {
     std::vector<std::string> programs;
     for (const Chapter& chapter : chapters) programs.push_back("check_" + chapter.number);
-    const std::vector<std::string> good = built(project, programs, part);
-    for (std::size_t i = 0; i < chapters.size(); ++i) {
-        if (std::find(good.begin(), good.end(), programs[i]) == good.end()) continue;
+    judge_built(project, programs, part, [&](std::size_t i, SelfTest& result) {
         for (const StepResult& step : judge_program(project, chapters[i], programs[i]).steps)
-            part.expect(step.state == State::Todo, fmt::format("step {} is {} before it is started: {}",
-                                                               step.id, name_of(step.state), step.message));
-    }
+            result.expect(step.state == State::Todo, fmt::format("step {} is {} before it is started: {}",
+                                                                 step.id, name_of(step.state), step.message));
+    });
     const std::vector<Drift> drifted = drifted_files(project, chapters);
     for (const Drift& drift : drifted)
         part.problems.push_back(relative(project, drift.file) +

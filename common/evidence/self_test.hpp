@@ -32,6 +32,12 @@ void side_by_side(std::size_t count, const std::function<void(std::size_t)>& use
 std::vector<std::string> built(const Project& project, const std::vector<std::string>& programs,
                                SelfTest& part);
 
+/// Builds programs, and lets expect(i, result) judge the i-th, side by side with others and in any order;
+/// those that cannot be built are failures of the part, to which the results are added in the programs'
+/// order.
+void judge_built(const Project& project, const std::vector<std::string>& programs, SelfTest& part,
+                 const std::function<void(std::size_t, SelfTest&)>& expect);
+
 /// All tests of one program, which is built. Plain tests must come before families of extreme cases.
 void test_program(const Project& project, const std::string& name, bool quick, SelfTest& part);
 

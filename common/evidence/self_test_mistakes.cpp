@@ -64,13 +64,8 @@ void test_mistakes(const Project& project, const std::vector<Chapter>& chapters,
     }
     std::vector<std::string> programs;
     for (const KnownMistake& known : tried) programs.push_back(known.program);
-    const std::vector<std::string> good = built(project, programs, part);
-    std::vector<SelfTest> results(tried.size());
-    side_by_side(tried.size(), [&](std::size_t i) {
-        if (std::find(good.begin(), good.end(), tried[i].program) != good.end())
-            expect_caught(project, tried[i], results[i]);
-    });
-    for (const SelfTest& result : results) part.add(result);
+    judge_built(project, programs, part,
+                [&](std::size_t i, SelfTest& result) { expect_caught(project, tried[i], result); });
     for (const Chapter& chapter : chapters) {
         const auto count = std::count_if(mistakes.begin(), mistakes.end(), [&](const KnownMistake& known) {
             return known.mistake.step.starts_with(chapter.number);

@@ -55,13 +55,8 @@ void test_variants(const Project& project, const std::vector<Chapter>& chapters,
     }
     std::vector<std::string> names;
     for (const Variants& variants : programs) names.push_back(variants.program);
-    const std::vector<std::string> good = built(project, names, part);
-    std::vector<SelfTest> results(programs.size());
-    side_by_side(programs.size(), [&](std::size_t i) {
-        if (std::find(good.begin(), good.end(), programs[i].program) != good.end())
-            expect_accepted(project, programs[i], results[i]);
-    });
-    for (const SelfTest& result : results) part.add(result);
+    judge_built(project, names, part,
+                [&](std::size_t i, SelfTest& result) { expect_accepted(project, programs[i], result); });
 }
 
 }  // namespace rt

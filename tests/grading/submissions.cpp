@@ -2,7 +2,6 @@
 #include "tests/grading/submissions.hpp"
 
 #include "common/image/whole_file.hpp"
-#include "common/workbook/mistake.hpp"
 #include "tests/support.hpp"
 
 #include <iostream>
@@ -37,15 +36,16 @@ Submission perfect(const std::vector<const Chapter*>& chapters) {
     return submission;
 }
 
-void change(Submission& submission, const Chapter& chapter, const std::string& text,
-            const std::string& name) {
-    const Mistake mistake = parse_mistake(text, name);
-    std::string& file = submission.files.at(exercise_path(chapter, mistake.file));
-    file = apply_mistake(mistake, file, name);
+void change(Submission& submission, const Chapter& chapter, const std::string& file,
+            const std::vector<Replacement>& replacements) {
+    std::string& text = submission.files.at(exercise_path(chapter, file));
+    text = apply_mistake({"", file, "", "", replacements}, text, file);
 }
 
 void change_as(Submission& submission, const Chapter& chapter, const std::string& file) {
-    change(submission, chapter, read_file(fs::path(repository()) / "tests" / chapter.name / file), file);
+    const fs::path path = fs::path(repository()) / "tests" / chapter.name / file;
+    const Mistake mistake = parse_mistake(read_file(path), file);
+    change(submission, chapter, mistake.file, mistake.replacements);
 }
 
 std::string told(const Grade& grade) {

@@ -5,6 +5,7 @@
 #include "common/grading/grader.hpp"
 #include "common/grading/isolation.hpp"
 #include "common/grading/submission.hpp"
+#include "common/workbook/mistake.hpp"
 
 #include <optional>
 #include <string>
@@ -19,11 +20,11 @@ std::optional<Isolation> best_level();
 /// What everybody who solved these chapters would hand in.
 Submission perfect(const std::vector<const Chapter*>& chapters);
 
-/// Changes a file of the submission as a `.mistake` or `.variant` file says it.
-void change(Submission& submission, const Chapter& chapter, const std::string& text,
-            const std::string& name = "change");
+/// Puts other texts in the place of some that stand once in an exercise's file.
+void change(Submission& submission, const Chapter& chapter, const std::string& file,
+            const std::vector<Replacement>& replacements);
 
-/// The same with a file of tests/NN_name, such as "mistakes/02.1_unsorted_roots.mistake".
+/// The same as a file of tests/NN_name says it, such as "mistakes/02.1_unsorted_roots.mistake".
 void change_as(Submission& submission, const Chapter& chapter, const std::string& file);
 
 /// A line a step: its points, its verdict, and what it says.
