@@ -82,15 +82,21 @@ Workshop::Workshop(const Project& project, const std::vector<const Chapter*>& ch
     if (!built.ok) throw InputError("the judges do not build: " + built.message);
 
     fs::permissions(place(), fs::perms(0755));  // boxes have uids of their own
-    copy_headers(project, place() / "include");
+}
+
+void Workshop::furnish() {
+    if (is_furnished_) return;
+    copy_headers(project_, place() / "include");
     compile_headers(place() / "include");
     fs::create_directories(place() / "lib");
-    for (const fs::path& library : files_in(project.build / "grading", {".a"}))
+    for (const fs::path& library : files_in(project_.build / "grading", {".a"}))
         fs::copy_file(library, place() / "lib" / library.filename());
+    is_furnished_ = true;
 }
 
 const Workshop::Compiled& Workshop::compiled(const Chapter& chapter, const std::string& file,
                                              const std::string& text) {
+    furnish();
     const std::string name = exercise_path(chapter, file);
     const std::string key = fingerprint(name + "\n" + text);
     const auto known = compiled_.find(key);

@@ -44,6 +44,8 @@ private:
         std::string error;  ///< the compiler's first one; empty if there is an object
         std::uint64_t peak_memory = 0;
     };
+    /// Gets ready what all submissions are compiled and linked with; done when the first one is.
+    void furnish();
     /// Of one file, which is compiled when it is first asked for: the same text gives the same object.
     const Compiled& compiled(const Chapter& chapter, const std::string& file, const std::string& text);
     /// The linker's first error; empty where `directory`/worker is there now.
@@ -54,6 +56,7 @@ private:
     std::vector<std::string> numbers_;  // of all chapters
     Isolation isolation_;
     StagedDirectory shared_;  // include/ and lib/, and what is worked at
+    bool is_furnished_ = false;
     std::map<std::string, Compiled> compiled_;
 };
 
