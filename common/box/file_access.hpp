@@ -1,7 +1,7 @@
 // What of this machine's files a process may touch where it cannot have a file system of its own.
 #pragma once
 
-#include "common/grading/sandbox.hpp"
+#include "common/sandbox/sandbox.hpp"
 
 #include <string>
 #include <vector>

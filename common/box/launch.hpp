@@ -4,7 +4,7 @@
 #include "common/box/capture.hpp"
 #include "common/box/identity.hpp"
 #include "common/box/stage.hpp"
-#include "common/grading/message.hpp"
+#include "common/sandbox/message.hpp"
 
 #include <sys/types.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/box/identity.hpp"
-#include "common/grading/sandbox.hpp"
+#include "common/sandbox/sandbox.hpp"
 
 #include <list>
 #include <string>

@@ -1,7 +1,7 @@
 // One box from its start to its end.
 #pragma once
 
-#include "common/grading/message.hpp"
+#include "common/sandbox/message.hpp"
 
 namespace rt {
 

@@ -1,14 +1,14 @@
 // `course autograder`: the archive for Gradescope, and what its scripts ask for.
 #include "common/grading/autograder.hpp"
 #include "common/commands/commands.hpp"
-#include "common/grading/chosen_chapters.hpp"
-#include "common/grading/isolation.hpp"
 #include "common/grading/kept_grades.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/counted.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
+#include "common/sandbox/isolation.hpp"
 #include "common/terminal/json_text.hpp"
+#include "common/workbook/chosen_chapters.hpp"
 #include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>

@@ -225,7 +225,7 @@ struct HandoutCommand {
     bool json = false;
 };
 
-/// `course handout DIR`: a tree for students (common/grading/handout.hpp).
+/// `course handout DIR`: a tree for students (common/handout/handout.hpp).
 int run_handout(const HandoutCommand& command);
 
 /// `course new NN_name`: makes a new chapter's column.

@@ -1,19 +1,19 @@
 // `course grade`: marks submissions, in boxes, by the chapters' own tests; a class may be marked in parts,
 // here or on other machines.
 #include "common/commands/commands.hpp"
-#include "common/grading/chosen_chapters.hpp"
 #include "common/grading/class_list.hpp"
 #include "common/grading/class_marks.hpp"
 #include "common/grading/class_script.hpp"
 #include "common/grading/formats/formats.hpp"
 #include "common/grading/grade_json.hpp"
-#include "common/grading/isolation.hpp"
 #include "common/grading/private_words.hpp"
 #include "common/grading/submission_times.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
+#include "common/sandbox/isolation.hpp"
 #include "common/terminal/console.hpp"
+#include "common/workbook/chosen_chapters.hpp"
 
 #include <fmt/format.h>
 

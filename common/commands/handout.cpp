@@ -1,5 +1,5 @@
 // `course handout`: a tree for students, made or brought up to date.
-#include "common/grading/handout.hpp"
+#include "common/handout/handout.hpp"
 #include "common/commands/commands.hpp"
 #include "common/math/counted.hpp"
 #include "common/math/printable.hpp"

@@ -1,12 +1,12 @@
 // `course similarity`: what submissions share with each other, with the solution and with the variants.
-#include "common/grading/formats/similarity.hpp"
 #include "common/commands/commands.hpp"
-#include "common/grading/chosen_chapters.hpp"
 #include "common/grading/class_list.hpp"
-#include "common/grading/isolation.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
+#include "common/sandbox/isolation.hpp"
+#include "common/similarity/similarity_formats.hpp"
+#include "common/workbook/chosen_chapters.hpp"
 
 #include <fmt/format.h>
 

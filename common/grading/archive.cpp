@@ -1,10 +1,10 @@
 // Archives that students hand in, opened in a box.
 #include "common/grading/archive.hpp"
 
-#include "common/grading/staged_directory.hpp"
-#include "common/grading/system_files.hpp"
 #include "common/image/descriptor.hpp"
 #include "common/math/printable.hpp"
+#include "common/sandbox/system_files.hpp"
+#include "common/terminal/staged_directory.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

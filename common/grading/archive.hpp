@@ -2,8 +2,8 @@
 // in them.
 #pragma once
 
-#include "common/grading/sandbox.hpp"
 #include "common/grading/submission.hpp"
+#include "common/sandbox/sandbox.hpp"
 
 #include <filesystem>
 #include <vector>

@@ -2,13 +2,13 @@
 // program.
 #include "common/grading/autograder.hpp"
 
-#include "common/grading/course_files.hpp"
 #include "common/grading/formats/formats.hpp"
-#include "common/grading/isolation.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
+#include "common/sandbox/isolation.hpp"
 #include "common/terminal/console.hpp"
+#include "common/terminal/course_files.hpp"
 #include "common/terminal/json_source.hpp"
 #include "common/terminal/process.hpp"
 #include "common/terminal/template.hpp"

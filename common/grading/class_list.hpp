@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/grading/class_parts.hpp"
-#include "common/grading/sandbox.hpp"
 #include "common/grading/submission.hpp"
+#include "common/sandbox/sandbox.hpp"
 
 #include <filesystem>
 #include <optional>

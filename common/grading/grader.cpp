@@ -1,11 +1,11 @@
 // A submission's mark: compiled and run in boxes, judged by the chapters' own tests.
 #include "common/grading/grader.hpp"
 
-#include "common/grading/isolation.hpp"
 #include "common/grading/judged.hpp"
 #include "common/grading/run_judge.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/stopwatch.hpp"
+#include "common/sandbox/isolation.hpp"
 #include "common/terminal/lock.hpp"
 
 #include <fmt/format.h>

@@ -2,9 +2,9 @@
 #include "common/grading/kept_grades.hpp"
 
 #include "common/grading/grade_json.hpp"
-#include "common/grading/isolation.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/sandbox/isolation.hpp"
 #include "common/terminal/lock.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Runs a judge: the process in which a chapter's tests stand, and nothing that a student wrote.
 #include "common/grading/run_judge.hpp"
 
-#include "common/grading/isolation.hpp"
+#include "common/sandbox/isolation.hpp"
 #include "common/workbook/check.hpp"
 
 #include <fmt/format.h>

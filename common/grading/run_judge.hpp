@@ -1,7 +1,7 @@
 // Runs a judge: the process in which a chapter's tests stand, and nothing that a student wrote.
 #pragma once
 
-#include "common/grading/sandbox.hpp"
+#include "common/sandbox/sandbox.hpp"
 #include "common/workbook/results.hpp"
 
 #include <cstdint>

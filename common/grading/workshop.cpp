@@ -1,11 +1,11 @@
 // Where submissions become programs: the course's own parts are built once, a student's files in a box.
 #include "common/grading/workshop.hpp"
 
-#include "common/grading/isolation.hpp"
-#include "common/grading/system_files.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
+#include "common/sandbox/isolation.hpp"
+#include "common/sandbox/system_files.hpp"
 #include "common/terminal/process.hpp"
 #include "common/workbook/check.hpp"
 

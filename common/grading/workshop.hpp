@@ -1,9 +1,9 @@
 // Where submissions become programs: the course's own parts are built once, a student's files in a box.
 #pragma once
 
-#include "common/grading/sandbox.hpp"
-#include "common/grading/staged_directory.hpp"
 #include "common/grading/submission.hpp"
+#include "common/sandbox/sandbox.hpp"
+#include "common/terminal/staged_directory.hpp"
 
 #include <cstdint>
 #include <filesystem>

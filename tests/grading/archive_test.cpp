@@ -1,11 +1,11 @@
 // Archives that students hand in: what is taken of them, and that no archive harms the grader.
 #include "common/grading/archive.hpp"
 #include "common/grading/class_list.hpp"
-#include "common/grading/isolation.hpp"
 #include "common/grading/submission_times.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/random.hpp"
+#include "common/sandbox/isolation.hpp"
 #include "common/terminal/process.hpp"
 #include "tests/catch.hpp"
 #include "tests/grading/examples.hpp"

@@ -1,14 +1,14 @@
 // The judge's end: one worker at a time, started when it is needed and anew after it died.
 #include "tests/grading/judge.hpp"
 
-#include "common/grading/isolation.hpp"
 #include "common/grading/judged.hpp"
-#include "common/grading/sandbox.hpp"
-#include "common/grading/system_files.hpp"
 #include "common/image/descriptor.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/stopwatch.hpp"
 #include "common/math/todo.hpp"
+#include "common/sandbox/isolation.hpp"
+#include "common/sandbox/sandbox.hpp"
+#include "common/sandbox/system_files.hpp"
 #include "tests/catch.hpp"
 #include "tests/own_options.hpp"
 #include "tests/support.hpp"

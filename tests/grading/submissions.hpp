@@ -3,8 +3,8 @@
 
 #include "common/grading/grade.hpp"
 #include "common/grading/grader.hpp"
-#include "common/grading/isolation.hpp"
 #include "common/grading/submission.hpp"
+#include "common/sandbox/isolation.hpp"
 #include "common/workbook/mistake.hpp"
 
 #include <optional>

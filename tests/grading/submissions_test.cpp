@@ -5,7 +5,7 @@
 #include "common/grading/shown.hpp"
 #include "common/image/whole_file.hpp"
 #include "tests/catch.hpp"
-#include "tests/grading/boxes.hpp"
+#include "tests/grading/sandbox/boxes.hpp"
 #include "tests/support.hpp"
 
 #include <chrono>
