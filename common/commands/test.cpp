@@ -64,8 +64,8 @@ int run_test(bool quick, bool json) {
     std::vector<SelfTest> parts;
 
     // The longest ones first: they run side by side.
-    std::vector<std::string> programs{"test_grading", "test_program", "test_common", "test_report",
-                                      "test_leave_out"};
+    std::vector<std::string> programs{"test_submissions", "test_grading", "test_program",
+                                      "test_common",      "test_report",  "test_leave_out"};
     for (const Chapter& chapter : chapters) programs.push_back("check_" + chapter.number + "_solution");
     std::vector<std::string> good;
     parts.push_back(timed("build", json, [&](SelfTest& part) { good = built(project, programs, part); }));

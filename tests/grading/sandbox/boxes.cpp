@@ -1,9 +1,9 @@
 // Boxes for tests: in every way that this machine can do, and what they may not leave behind.
 #include "tests/grading/sandbox/boxes.hpp"
 
-#include "common/sandbox/message.hpp"
 #include "common/image/descriptor.hpp"
 #include "common/math/input_error.hpp"
+#include "common/sandbox/message.hpp"
 #include "common/terminal/project.hpp"
 #include "tests/support.hpp"
 
@@ -168,9 +168,8 @@ std::vector<std::string> attacks_running() {
     return running;
 }
 
-std::vector<std::string> machine() {
+std::vector<std::string> surroundings() {
     std::vector<std::string> state;
-    add_shared_files(state);
     for (const auto& entry : fs::recursive_directory_iterator(scratch_directory() + "/boxes")) {
         struct stat status {};
         lstat(entry.path().c_str(), &status);
@@ -188,10 +187,18 @@ std::vector<std::string> machine() {
         state.push_back(entry.path().string() + " " + fs::read_symlink(entry.path(), ignored).string());
     }
     state.push_back(waitpid(-1, nullptr, WNOHANG) == -1 ? "no child" : "children");
+    return state;
+}
+
+std::vector<std::string> machine() {
+    std::vector<std::string> state = surroundings();
+    add_shared_files(state);
     const std::vector<std::string> running = attacks_running();
     state.insert(state.end(), running.begin(), running.end());
     return state;
 }
+
+fs::path boxes_lock() { return this_project().build / "scratch" / "boxes.lock"; }
 
 std::string fresh_directory(const std::string& name) {
     const fs::path all = fs::path(scratch_directory()) / "boxes", directory = name.empty() ? all : all / name;

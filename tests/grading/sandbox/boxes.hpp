@@ -3,6 +3,7 @@
 
 #include "common/sandbox/sandbox.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -50,9 +51,14 @@ Ending run_attack(const Way& way, const std::string& name, const std::vector<std
 /// The processes of attacks that run, as "box_forks (12)".
 std::vector<std::string> attacks_running();
 
-/// All of this machine that a box could change: files where everybody may write, mounts, shared memory,
-/// processes, and this process's environment, children and descriptors.
+/// What a box could change around this process: mounts, shared memory, its files, environment, children and
+/// descriptors.
+std::vector<std::string> surroundings();
+
+/// All of this machine that a box could change: files where everybody may write, and processes, too. Boxes of
+/// other programs are seen there, but for those of level Bubblewrap: whoever has others must have this lock.
 std::vector<std::string> machine();
+std::filesystem::path boxes_lock();
 
 /// A directory for this test that everybody may enter, empty; without a name the one around them all.
 std::string fresh_directory(const std::string& name);

@@ -1,6 +1,6 @@
 // g++ in a box: it compiles what is right, and what would take the machine down is stopped.
-#include "common/sandbox/system_files.hpp"
 #include "common/image/whole_file.hpp"
+#include "common/sandbox/system_files.hpp"
 #include "tests/catch.hpp"
 #include "tests/grading/sandbox/boxes.hpp"
 

@@ -1,10 +1,11 @@
-// Boxes under attack: every attack of tests/grading/attacks/sandbox, at every level that this machine can do,
+// Boxes under attack: every attack of tests/grading/sandbox/attacks, at every level that this machine can do,
 // with the verdict that it must get, and a machine that is afterwards what it was.
 #include "common/sandbox/sandbox.hpp"
-#include "common/sandbox/isolation.hpp"
 #include "common/image/descriptor.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/stopwatch.hpp"
+#include "common/sandbox/isolation.hpp"
+#include "common/terminal/lock.hpp"
 #include "common/terminal/project.hpp"
 #include "tests/catch.hpp"
 #include "tests/grading/sandbox/boxes.hpp"
@@ -43,6 +44,7 @@ void in_every_way(Check check) {
     REQUIRE_FALSE(ways().empty());
     for (const Way& way : ways()) {
         INFO("level := " << way.name);
+        const Lock alone(boxes_lock(), "trying boxes");
         const std::vector<std::string> before = machine();
         check(way);
         fresh_directory("");

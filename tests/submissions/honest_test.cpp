@@ -1,7 +1,7 @@
 // Honest work of all kinds: each gets exactly the marks of its working steps.
 #include "common/image/file.hpp"
 #include "tests/catch.hpp"
-#include "tests/grading/submissions.hpp"
+#include "tests/submissions/submissions.hpp"
 
 #include <algorithm>
 #include <filesystem>

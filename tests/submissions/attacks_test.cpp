@@ -1,11 +1,10 @@
-// Submissions that attack the grader (attacks/submissions), each with the mark that it must get. They stand
-// after the boxes' own tests: some of those give up root, and could not read what is built here.
-#include "tests/grading/submissions.hpp"
+// Submissions that attack the grader (attacks/), each with the mark that it must get.
 #include "common/grading/private_words.hpp"
 #include "common/grading/shown.hpp"
 #include "common/image/whole_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/grading/sandbox/boxes.hpp"
+#include "tests/submissions/submissions.hpp"
 #include "tests/support.hpp"
 
 #include <chrono>
@@ -18,7 +17,7 @@ using namespace rt;
 
 namespace {
 
-/// One file of attacks/submissions: lines `why`, `earns`, and where they matter `file` (else it is plane.cpp)
+/// One file of attacks/: lines `why`, `earns`, and where they matter `file` (else it is plane.cpp)
 /// and `says`; then the text between `--- add` (to the solution of that file) or `--- instead` (of it) and
 /// `--- end`.
 struct Attack {
@@ -134,15 +133,15 @@ TEST_CASE("attacks on the grader get their marks, and leave the machine as it wa
     CHECK(earned(grader.grade(perfect)) == whole_points(70));
 
     test::fresh_directory("");
-    const std::vector<std::string> before = test::machine();
+    const std::vector<std::string> before = test::surroundings();
     int count = 0;
     for (const auto& entry :
-         fs::directory_iterator(fs::path(test::repository()) / "tests/grading/attacks/submissions")) {
+         fs::directory_iterator(fs::path(test::repository()) / "tests/submissions/attacks")) {
         check_attack(grader, chapter, read_attack(entry.path()));
         ++count;
     }
     CHECK(count >= 45);
-    CHECK(settles([&] { return test::machine() == before; }));
+    CHECK(settles([&] { return test::surroundings() == before; }));
 
     // Nobody's work after that was harmed by it.
     CHECK(earned(grader.grade(perfect)) == whole_points(70));

@@ -3,7 +3,7 @@
 #include "common/grading/workshop.hpp"
 #include "common/image/whole_file.hpp"
 #include "tests/catch.hpp"
-#include "tests/grading/submissions.hpp"
+#include "tests/submissions/submissions.hpp"
 #include "tests/support.hpp"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 // lies there, and nobody waits for what has no end.
 #include "common/image/whole_file.hpp"
 #include "tests/catch.hpp"
-#include "tests/grading/submissions.hpp"
+#include "tests/submissions/submissions.hpp"
 #include "tests/support.hpp"
 
 #include <fmt/format.h>
