@@ -1,6 +1,7 @@
 // `course figures`: whether the lessons' figures are what their programs draw.
 #include "common/commands/changed_files.hpp"
 #include "common/commands/commands.hpp"
+#include "common/evidence/self_test.hpp"
 #include "common/image/file.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/terminal/process.hpp"
@@ -18,11 +19,32 @@ namespace {
 /// Timings differ each time.
 bool is_measured(const fs::path& file) { return file.filename().string().starts_with("measured_"); }
 
-/// Builds and runs a chapter's program; returns the directory with what it has drawn.
-fs::path draw_figures(const Project& project, const Chapter& chapter) {
-    const std::string target = "figures_" + chapter.number;
-    const BuildResult build = build_targets(project, {target}, "Building " + target);
+/// The chapters that have figures, or the one of them that is asked for.
+std::vector<const Chapter*> chapters_with_figures(const Project& project,
+                                                  const std::vector<Chapter>& chapters,
+                                                  const std::string& number) {
+    const Chapter* only = number.empty() ? nullptr : &find_chapter(chapters, number);
+    std::vector<const Chapter*> chosen;
+    for (const Chapter& chapter : chapters)
+        if ((!only || only == &chapter) &&
+            fs::exists(project.root / "references" / chapter.name / "figures.cpp"))
+            chosen.push_back(&chapter);
+    return chosen;
+}
+
+std::string target_of(const Chapter& chapter) { return "figures_" + chapter.number; }
+
+void build_programs(const Project& project, const std::vector<const Chapter*>& chapters) {
+    std::vector<std::string> targets;
+    for (const Chapter* chapter : chapters) targets.push_back(target_of(*chapter));
+    if (targets.empty()) return;
+    const BuildResult build = build_targets(project, targets, "Building what draws figures");
     if (!build.ok) throw std::runtime_error(build.message);
+}
+
+/// Runs a chapter's program; returns the directory with what it has drawn.
+fs::path draw_figures(const Project& project, const Chapter& chapter) {
+    const std::string target = target_of(chapter);
     const fs::path drawn = project.build / "figures" / chapter.name;
     fs::remove_all(drawn);
     make_directories(drawn);
@@ -66,15 +88,31 @@ std::vector<std::string> changed_figures(const Project& project, const fs::path&
 
 int run_figures(const std::string& number, bool make, bool json) {
     const Project project = this_project();
-    const std::vector<Chapter> chapters = read_catalogue(project);
-    const Chapter* only = number.empty() ? nullptr : &find_chapter(chapters, number);
+    const std::vector<Chapter> catalogue = read_catalogue(project);
+    const std::vector<const Chapter*> chapters = chapters_with_figures(project, catalogue, number);
+    build_programs(project, chapters);
+
+    std::vector<std::vector<std::string>> changed_of(chapters.size());
+    std::vector<std::string> failures(chapters.size());
+    const auto look_at = [&](std::size_t i) {
+        try {
+            const fs::path drawn = draw_figures(project, *chapters[i]);
+            const fs::path kept = project.root / "references" / chapters[i]->name / "figures";
+            changed_of[i] = changed_figures(project, drawn, kept, make);
+        } catch (const std::exception& error) {
+            failures[i] = error.what();
+        }
+    };
+    // Times that are kept are taken with nothing beside.
+    if (make)
+        for (std::size_t i = 0; i < chapters.size(); ++i) look_at(i);
+    else
+        side_by_side(chapters.size(), look_at);
+
     std::vector<std::string> changed;
-    for (const Chapter& chapter : chapters) {
-        const fs::path references = project.root / "references" / chapter.name;
-        if ((only && only != &chapter) || !fs::exists(references / "figures.cpp")) continue;
-        const fs::path drawn = draw_figures(project, chapter);
-        for (const std::string& file : changed_figures(project, drawn, references / "figures", make))
-            changed.push_back(file);
+    for (std::size_t i = 0; i < chapters.size(); ++i) {
+        if (!failures[i].empty()) throw std::runtime_error(failures[i]);
+        changed.insert(changed.end(), changed_of[i].begin(), changed_of[i].end());
     }
     return report_changed(changed, make, json, "./course figures --make");
 }
