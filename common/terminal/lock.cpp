@@ -130,8 +130,9 @@ void keep_program(const Project& project, const std::string& name) {
 
 fs::path program(const Project& project, std::string_view name) {
     const auto& of_build = own_directories().of_build;
+    std::error_code ignored;  // whoever has given up rights since cannot look there
     if (const auto own = of_build.find(project.build); own != of_build.end())
-        if (fs::path kept = own->second.path / name; fs::exists(kept)) return kept;
+        if (fs::path kept = own->second.path / name; fs::exists(kept, ignored)) return kept;
     return project.build / "bin" / name;
 }
 
