@@ -64,10 +64,12 @@ cp solutions/$chapter/*.cpp "$submission"
 echo "int moon(" >>"$submission/$attacked"
 marked "a file does not compile" 30 "not compiled"
 
-# Right as soon as anything of the grader's can be read; where nothing can, it ends itself.
+# The solution's name can be seen, but nothing can be read: not by the compiler ...
 secret=/autograder/source/course/solutions/$chapter/$attacked
+echo "#include \"$secret\"" >"$submission/$attacked"
+marked "an attack that includes the solution" 30 "not compiled"
+# ... and not by the program, which is right as soon as it can read anything, and else ends itself.
 {
-    printf '#if __has_include("%s")\n#include "%s"\n#else\n' $secret $secret
     cat solutions/$chapter/$attacked
     cat <<END
 #include <fcntl.h>
@@ -78,10 +80,9 @@ static const bool can_read = [] {
         if (open(file, O_RDONLY) >= 0) return true;
     _exit(3);
 }();
-#endif
 END
 } >"$submission/$attacked"
-marked "an attack that reads /autograder" 0 "ended with status 3"
+marked "an attack that reads the grader's files" 0 "ended with status 3"
 
 [ $failed = 0 ] && echo "everything is as it should be"
 exit $failed
