@@ -1,12 +1,12 @@
 // Handouts: made once, in a repository of their own.
 #include "common/handout/handout.hpp"
 
-#include "common/workbook/chosen_chapters.hpp"
-#include "common/terminal/git.hpp"
 #include "common/handout/handout_files.hpp"
-#include "common/terminal/staged_directory.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/terminal/git.hpp"
+#include "common/terminal/staged_directory.hpp"
+#include "common/workbook/chosen_chapters.hpp"
 #include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // What a handout consists of: the course's files without solutions and all that would give them away.
 #include "common/handout/handout_files.hpp"
 
-#include "common/terminal/course_files.hpp"
 #include "common/handout/solution_lines.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/terminal/course_files.hpp"
 #include "common/terminal/json_text.hpp"
 #include "common/terminal/template.hpp"
 #include "common/workbook/exercise.hpp"

@@ -1,11 +1,11 @@
 // Handouts in mid-semester: what is given is brought up to date, what a student has written stays.
-#include "common/workbook/chosen_chapters.hpp"
 #include "common/handout/handout.hpp"
 #include "common/handout/handout_files.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/terminal/lock.hpp"
 #include "common/workbook/backup.hpp"
+#include "common/workbook/chosen_chapters.hpp"
 #include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>

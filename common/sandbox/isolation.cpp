@@ -1,8 +1,8 @@
 // The levels of isolation: their names, which of them this machine can do, and what each leaves open.
 #include "common/sandbox/isolation.hpp"
 
-#include "common/sandbox/system_files.hpp"
 #include "common/math/input_error.hpp"
+#include "common/sandbox/system_files.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // A box as the grader sees it: its supervisor is started, told what to do, and asked how it ended.
 #include "common/sandbox/sandbox.hpp"
 
-#include "common/sandbox/message.hpp"
 #include "common/image/descriptor.hpp"
 #include "common/math/input_error.hpp"
+#include "common/sandbox/message.hpp"
 #include "common/terminal/process.hpp"
 #include "common/terminal/project.hpp"
 

@@ -1,6 +1,6 @@
 // The report of similar submissions as a page: what the template pages/similarity.mustache shows.
-#include "common/similarity/similarity_formats.hpp"
 #include "common/math/counted.hpp"
+#include "common/similarity/similarity_formats.hpp"
 #include "common/terminal/page.hpp"
 #include "common/workbook/exercise.hpp"
 

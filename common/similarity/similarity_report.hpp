@@ -2,8 +2,8 @@
 // a mark.
 #pragma once
 
-#include "common/similarity/similarity.hpp"
 #include "common/grading/submission.hpp"
+#include "common/similarity/similarity.hpp"
 #include "common/terminal/project.hpp"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Winnowing keeps its promise: what two texts share at length leaves the same fingerprint in both.
 #include "common/similarity/winnowing.hpp"
-#include "common/similarity/tiling.hpp"
 #include "common/math/random.hpp"
+#include "common/similarity/tiling.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>
