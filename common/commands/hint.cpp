@@ -22,7 +22,7 @@ fs::path hints_file(const Project& project) { return memory(project, "hints.json
 /// How many hints of each step were shown; empty if that was never written, or is damaged.
 nlohmann::json read_hints(const Project& project) {
     if (!fs::exists(hints_file(project))) return nlohmann::json::object();
-    nlohmann::json shown = nlohmann::json::parse(read_file(hints_file(project)), nullptr, false);
+    nlohmann::json shown = read_json(read_file(hints_file(project)));
     return shown.is_object() ? shown : nlohmann::json::object();
 }
 

@@ -49,7 +49,7 @@ ordered_json student_trace(const Project& project, const TraceCommand& command) 
         throw InputError(result.timed_out     ? "your code takes more than a minute for this pixel"
                          : result.signal != 0 ? "your code crashed: " + signal_name(result.signal)
                                               : std::string("your code made no tree of this pixel"));
-    ordered_json tree = ordered_json::parse(result.output, nullptr, false);
+    ordered_json tree = read_ordered_json(result.output);
     if (tree.is_discarded())
         throw InputError("the tree that your code makes of this pixel is too large to compare");
     return tree;

@@ -30,8 +30,7 @@ struct Author {
 
     template <class... Args>
     void line(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
-        text += '\n';
+        text += fmt::format(format, std::forward<Args>(args)...) + '\n';
     }
     bool chance(Real share) { return random_real(random) < share; }
     Real uniform(Real low, Real high) { return low + (high - low) * random_real(random); }

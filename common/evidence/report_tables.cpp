@@ -1,5 +1,6 @@
 // The report's data as tables for spreadsheets.
 #include "common/evidence/report.hpp"
+#include "common/terminal/json_text.hpp"
 
 #include <string_view>
 
@@ -9,7 +10,7 @@ namespace {
 /// A cell: text in quotes where it has to be, numbers with all their digits, nothing for null.
 std::string cell(const ReportData& value) {
     if (value.is_null()) return "";
-    if (!value.is_string()) return value.dump();
+    if (!value.is_string()) return json_text(value);
     const std::string text = value;
     if (text.find_first_of(",\"\n") == std::string::npos) return text;
     std::string quoted = "\"";

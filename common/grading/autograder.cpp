@@ -10,6 +10,7 @@
 #include "common/terminal/console.hpp"
 #include "common/terminal/course_files.hpp"
 #include "common/terminal/json_source.hpp"
+#include "common/terminal/json_text.hpp"
 #include "common/terminal/process.hpp"
 #include "common/terminal/template.hpp"
 
@@ -108,7 +109,7 @@ std::string nothing_to_mark(const std::vector<const Chapter*>& chapters) {
         {"visibility", "visible"},
         {"stdout_visibility", "hidden"},
         {"tests", nlohmann::ordered_json::array()}};
-    return results.dump(1) + "\n";
+    return json_text(results, 1) + "\n";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
 #include "common/terminal/base64.hpp"
+#include "common/terminal/json_text.hpp"
 
 #include <fmt/format.h>
 
@@ -173,10 +174,10 @@ Grade grade_from(const JsonValue& value) {
 std::string grades_text(std::vector<Grade> grades, const std::optional<ClassPart>& part) {
     std::sort(grades.begin(), grades.end(), by_name);
     std::string text = fmt::format("{{\"version\":{},", version);
-    if (part) text += fmt::format("\"part\":{},", part_json(*part).dump());
+    if (part) text += fmt::format("\"part\":{},", json_text(part_json(*part)));
     text += "\"grades\":[";
     for (std::size_t i = 0; i < grades.size(); ++i)
-        text += (i == 0 ? "\n" : ",\n") + to_json(grades[i]).dump();
+        text += (i == 0 ? "\n" : ",\n") + json_text(to_json(grades[i]));
     return text + "\n]}\n";
 }
 

@@ -1,9 +1,9 @@
 // Moments as texts that mean the same everywhere: ISO 8601 with its distance from UTC (RFC 3339).
 #include "common/grading/time_stamp.hpp"
 
-#include <fmt/format.h>
+#include "common/terminal/pattern.hpp"
 
-#include <regex>
+#include <fmt/format.h>
 
 namespace rt {
 
@@ -19,12 +19,12 @@ std::string text_of(Moment moment) {
 }
 
 std::optional<Moment> moment_of(const std::string& text) {
-    static const std::regex form(
+    const auto parts = parts_of(
+        text,
         "(\\d{4})-(\\d\\d)-(\\d\\d)T(\\d\\d):(\\d\\d)(?::(\\d\\d)(?:\\.\\d+)?)?(?:Z|([+-])(\\d\\d):(\\d\\d)"
         ")");
-    std::smatch parts;
-    if (!std::regex_match(text, parts, form)) return std::nullopt;
-    const auto number = [&](std::size_t i) { return parts[i].matched ? std::stoi(parts[i].str()) : 0; };
+    if (!parts) return std::nullopt;
+    const auto number = [&](std::size_t i) { return parts->at(i).empty() ? 0 : std::stoi(parts->at(i)); };
     const year_month_day date{year(number(1)), month(static_cast<unsigned>(number(2))),
                               day(static_cast<unsigned>(number(3)))};
     const bool good = date.ok() && number(1) >= 1970 && number(4) < 24 && number(5) < 60 && number(6) < 60 &&
@@ -32,7 +32,7 @@ std::optional<Moment> moment_of(const std::string& text) {
     if (!good) return std::nullopt;
     const seconds from_utc = hours(number(8)) + minutes(number(9));
     const Moment local = sys_days(date) + hours(number(4)) + minutes(number(5)) + seconds(number(6));
-    return parts[7].matched && parts[7].str() == "-" ? local + from_utc : local - from_utc;
+    return parts->at(7) == "-" ? local + from_utc : local - from_utc;
 }
 
 Moment now() { return floor<seconds>(system_clock::now()); }

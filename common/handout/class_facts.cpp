@@ -3,10 +3,10 @@
 
 #include "common/image/whole_file.hpp"
 #include "common/math/printable.hpp"
+#include "common/terminal/pattern.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <regex>
 
 namespace rt {
 
@@ -23,11 +23,9 @@ std::string line_of_text(const JsonValue& value) {
 bool is_day(int year, int month, int day) { return (std::chrono::year(year) / month / day).ok(); }
 
 std::string date_of(const JsonValue& value) {
-    static const std::regex form("(\\d{4})-(\\d\\d)-(\\d\\d)( ([01]\\d|2[0-3]):[0-5]\\d)?");
     std::string text = value.text();
-    std::smatch parts;
-    if (!std::regex_match(text, parts, form) ||
-        !is_day(std::stoi(parts[1]), std::stoi(parts[2]), std::stoi(parts[3])))
+    const auto parts = parts_of(text, "(\\d{4})-(\\d\\d)-(\\d\\d)( ([01]\\d|2[0-3]):[0-5]\\d)?");
+    if (!parts || !is_day(std::stoi(parts->at(1)), std::stoi(parts->at(2)), std::stoi(parts->at(3))))
         value.fail("expected a day such as 2027-02-15, or with a time, 2027-02-15 23:59");
     return text;
 }
@@ -41,8 +39,7 @@ ClassFacts class_facts(const JsonValue& value) {
     if (value.has("instructor")) facts.instructor = line_of_text(value.at("instructor"));
     if (!value.has("due")) return facts;
     for (const auto& [number, date] : value.at("due").members()) {
-        static const std::regex form("\\d\\d");
-        if (!std::regex_match(number, form)) date.fail("expected a chapter's number as key, such as 02");
+        if (!parts_of(number, "\\d\\d")) date.fail("expected a chapter's number as key, such as 02");
         facts.due[number] = date_of(date);
     }
     return facts;

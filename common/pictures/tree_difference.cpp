@@ -3,6 +3,7 @@
 
 #include "common/math/vec.hpp"
 #include "common/pictures/ray_tree.hpp"
+#include "common/terminal/json_text.hpp"
 
 #include <fmt/format.h>
 
@@ -57,7 +58,7 @@ std::string step_of_light(const std::string& quantity) {
 std::string text(const ordered_json& value) {
     return value.is_array() && value.size() == 3 ? triple_of_tree(value)
            : value.is_number_float()             ? number_of_tree(value)
-                                                 : value.dump();
+                                                 : json_text(value);
 }
 
 /// The first difference of two rays, which are number `i` of their trees.

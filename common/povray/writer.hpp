@@ -32,8 +32,7 @@ struct Writer {
 
     template <class... Args>
     void line(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
-        text += '\n';
+        text += fmt::format(format, std::forward<Args>(args)...) + '\n';
     }
 };
 

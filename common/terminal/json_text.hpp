@@ -1,35 +1,22 @@
-// JSON as text that every reader accepts, whatever bytes a file's name or a compiler's message is made of.
+// JSON as text that every reader accepts, whatever bytes a file's name or a compiler's message is made of;
+// and read from text. Only json_text.cpp compiles the library's reader and writer, which take seconds.
 #pragma once
-
-#include "common/math/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <string_view>
 
 namespace rt {
 
-/// In every string, bytes that are not UTF-8 become `\xNN`.
-template <class Json>
-void make_utf8(Json& value) {
-    if (value.is_string()) {
-        value = printable(value.template get_ref<const std::string&>(), Keep::Controls);
-    } else if (value.is_structured()) {
-        for (Json& part : value) make_utf8(part);
-    }
-}
+/// The value as JSON, in one line or indented. Bytes of strings that are not UTF-8 become `\xNN`; never
+/// throws because of what the strings hold.
+std::string json_text(const nlohmann::json& value, int indent = -1);
+std::string json_text(const nlohmann::ordered_json& value, int indent = -1);
 
-/// The value as JSON, in one line or indented. Never throws because of what the strings hold.
-template <class Json>
-std::string json_text(const Json& value, int indent = -1) {
-    try {
-        return value.dump(indent);
-    } catch (
-        const nlohmann::detail::type_error&) {  // of all that it can be, only this: a string is not UTF-8
-        Json shown = value;
-        make_utf8(shown);
-        return shown.dump(indent);
-    }
-}
+/// What the text says, with keys in alphabetical order or in the text's; `is_discarded()` where it is no
+/// JSON.
+nlohmann::json read_json(std::string_view text);
+nlohmann::ordered_json read_ordered_json(std::string_view text);
 
 }  // namespace rt

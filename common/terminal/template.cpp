@@ -3,6 +3,7 @@
 
 #include "common/image/whole_file.hpp"
 #include "common/math/printable.hpp"
+#include "common/terminal/json_text.hpp"
 #include "common/terminal/project.hpp"
 
 #include <kainjow/mustache.hpp>
@@ -38,7 +39,7 @@ mustache::data to_data(const TemplateView& view) {
         case TemplateView::value_t::null:
             return false;
         default:
-            return view.dump();
+            return json_text(view);
     }
 }
 

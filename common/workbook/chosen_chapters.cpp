@@ -2,23 +2,21 @@
 #include "common/workbook/chosen_chapters.hpp"
 
 #include "common/math/input_error.hpp"
+#include "common/terminal/pattern.hpp"
 
 #include <fmt/format.h>
-
-#include <regex>
 
 namespace rt {
 
 std::vector<Chapter> chosen_chapters(const std::vector<Chapter>& chapters, const std::string& text) {
     if (chapters.empty()) throw InputError("there are no chapters to hand out");
     if (text.empty()) return chapters;
-    static const std::regex form("(\\d\\d?)(-(\\d\\d?))?");
-    std::smatch parts;
-    if (!std::regex_match(text, parts, form))
+    const auto parts = parts_of(text, "(\\d\\d?)(-(\\d\\d?))?");
+    if (!parts)
         throw InputError(
             fmt::format("--chapters: '{}' is not from one chapter to another, such as 1-5", text));
-    const Chapter& first = find_chapter(chapters, parts[1].str());
-    const Chapter& last = find_chapter(chapters, parts[3].matched ? parts[3].str() : parts[1].str());
+    const Chapter& first = find_chapter(chapters, parts->at(1));
+    const Chapter& last = find_chapter(chapters, parts->at(3).empty() ? parts->at(1) : parts->at(3));
     if (first.number != chapters.front().number || last.number < first.number)
         throw InputError(
             fmt::format("--chapters: '{}' must begin with {}, because each chapter stands on those "

@@ -27,7 +27,7 @@ fs::path memory_file(const Project& project) { return memory(project, "state.jso
 
 json read_memory(const Project& project) {
     if (!fs::exists(memory_file(project))) return json::object();
-    json memory = json::parse(read_file(memory_file(project)), nullptr, false);
+    json memory = read_json(read_file(memory_file(project)));
     return memory.is_object() ? memory : json::object();
 }
 
@@ -69,7 +69,7 @@ bool all_passed(const ChapterResult& result) {
 TestReport read_report(std::string_view text) {
     TestReport report;
     for (const std::string& line : split_lines(text)) {
-        const json event = json::parse(line, nullptr, false);
+        const json event = read_json(line);
         if (!event.is_object()) break;
         if (event.contains("finished")) report.complete = true;
         TestRun run;

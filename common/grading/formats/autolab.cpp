@@ -1,6 +1,7 @@
 // The last two lines of an Autolab autograder's output (its documentation, "Formatted Feedback").
 #include "common/grading/formats/formats.hpp"
 #include "common/grading/formats/parts.hpp"
+#include "common/terminal/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -23,7 +24,7 @@ std::string autolab(const ShownGrade& shown) {
         if (step.verdict != Verdict::Passed) test["hint"] = points_line(step) + "\n" + explained(step);
         scores[step.id] = number_of(step.earned);
     }
-    return feedback.dump() + "\n" + Json{{"scores", scores}}.dump() + "\n";
+    return json_text(feedback) + "\n" + json_text(Json{{"scores", scores}}) + "\n";
 }
 
 }  // namespace rt

@@ -2,6 +2,7 @@
 #include "common/grading/formats/formats.hpp"
 #include "common/grading/formats/parts.hpp"
 #include "common/math/printable.hpp"
+#include "common/terminal/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -39,7 +40,7 @@ std::string classroom50(const ShownGrade& shown, const Classroom50Names& names) 
                          {"score", score},
                          {"max-score", possible},
                          {"tests", tests}};
-    return result.dump(1) + "\n";
+    return json_text(result, 1) + "\n";
 }
 
 }  // namespace rt

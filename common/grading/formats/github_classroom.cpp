@@ -3,6 +3,7 @@
 #include "common/grading/formats/formats.hpp"
 #include "common/grading/formats/parts.hpp"
 #include "common/terminal/base64.hpp"
+#include "common/terminal/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -48,7 +49,7 @@ std::string github_classroom(const ShownGrade& shown) {
     std::string names, lines;
     for (const auto& [name, steps] : chapters) {
         names += (names.empty() ? "" : ",") + name;
-        lines += name + "=" + base64(runner(steps).dump()) + "\n";
+        lines += name + "=" + base64(json_text(runner(steps))) + "\n";
     }
     return "runners=" + names + "\n" + lines;
 }

@@ -2,6 +2,7 @@
 #include "common/grading/formats/formats.hpp"
 #include "common/grading/formats/parts.hpp"
 #include "common/math/printable.hpp"
+#include "common/terminal/json_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -49,7 +50,7 @@ std::string gradescope(const ShownGrade& shown) {
                          {"stdout_visibility", "hidden"},
                          {"extra_data", {{"digest", shown.grade.digest}}},
                          {"tests", tests}};
-    return result.dump(1) + "\n";
+    return json_text(result, 1) + "\n";
 }
 
 }  // namespace rt

@@ -2,6 +2,7 @@
 #include "common/grading/formats/formats.hpp"
 #include "common/grading/formats/parts.hpp"
 #include "common/math/printable.hpp"
+#include "common/terminal/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -58,7 +59,7 @@ Json* longest(Json& tests, bool picture) {
 
 /// Makes it short enough; what is left out is said.
 void shorten(Json& result) {
-    while (result.dump().size() >= most_prairielearn) {
+    while (json_text(result).size() >= most_prairielearn) {
         if (Json* test = longest(result["tests"], true)) {
             (*test)["images"] = Json::array();
             (*test)["message"] =
@@ -88,7 +89,7 @@ std::string prairielearn(const ShownGrade& shown) {
                    {"images", Json::array()},
                    {"tests", tests_of(grade)}};
     shorten(result);
-    return result.dump() + "\n";
+    return json_text(result) + "\n";
 }
 
 }  // namespace rt
