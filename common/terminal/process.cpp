@@ -2,6 +2,7 @@
 #include "common/terminal/process.hpp"
 
 #include "common/math/stopwatch.hpp"
+#include "common/terminal/core_time.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -91,6 +92,13 @@ void limit_resources(double seconds) {
     if (!sanitized) limit(RLIMIT_AS, rlim_t{4} << 30);
 }
 
+/// Whether a process that began when the watch did has had so many seconds; those that others took do not
+/// count.
+bool has_had(double seconds, pid_t process, const Stopwatch& watch) {
+    const double passed = watch.seconds();
+    return seconds > 0 && passed > seconds && passed - core_time(process).waiting > seconds;
+}
+
 /// Cuts the output into lines as it comes.
 struct Lines {
     const std::function<void(std::string_view)>& on_line;
@@ -150,9 +158,9 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
             const std::string_view text(buffer, static_cast<std::size_t>(count));
             result.output += text.substr(0, options.output_limit - result.output.size());
             lines.add(text);
-            if (options.time_limit > 0 && stopwatch.seconds() > options.time_limit) break;
+            if (has_had(options.time_limit, child, stopwatch)) break;
         }
-        if (!ended && options.time_limit > 0 && stopwatch.seconds() > options.time_limit) {
+        if (!ended && has_had(options.time_limit, child, stopwatch)) {
             kill(child, SIGKILL);
             result.timed_out = true;
         }

@@ -11,8 +11,8 @@
 namespace rt {
 
 struct ProcessOptions {
-    double time_limit = 0;                               ///< seconds until the child is killed; 0 is never
-    std::function<void(std::string_view line)> on_line;  ///< told each line of output as it comes
+    double time_limit = 0;  ///< seconds that the child may have, not counting others'; 0 is no limit
+    std::function<void(std::string_view line)> on_line;            ///< told each line of output as it comes
     std::vector<std::pair<std::string, std::string>> environment;  ///< added to this program's
     std::size_t output_limit = 1 << 20;                            ///< bytes of output that are kept
     bool merge_errors = true;  ///< standard error goes into `output` too; else it is this program's

@@ -9,6 +9,7 @@
 #include "common/sandbox/isolation.hpp"
 #include "common/sandbox/sandbox.hpp"
 #include "common/sandbox/system_files.hpp"
+#include "common/terminal/core_time.hpp"
 #include "tests/catch.hpp"
 #include "tests/own_options.hpp"
 #include "tests/support.hpp"
@@ -16,10 +17,10 @@
 #include <fmt/format.h>
 
 #include <sys/prctl.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <mutex>
@@ -141,17 +142,14 @@ double judge_seconds() {
 }
 
 /// Whether more has passed, of the time that a machine with nothing else to do would have taken: marks do not
-/// depend on how many programs share the processors. Linux counts for how long this process ran, and for how
-/// long it was ready to and others did.
+/// depend on how many programs share the processors.
 class Timer {
 public:
     bool is_past(double limit) const {
         const double passed = watch.seconds();
         if (passed <= limit) return false;
-        double running = 0, waiting = 0;
-        std::ifstream counts("/proc/self/schedstat");
-        if (!(counts >> running >> waiting) || running <= 0) return true;
-        return passed > limit * (1 + waiting / running);
+        const CoreTime own = core_time(getpid());
+        return own.running <= 0 || passed > limit * (1 + own.waiting / own.running);
     }
 
 private:

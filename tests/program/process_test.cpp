@@ -2,6 +2,8 @@
 #include "common/terminal/process.hpp"
 #include "tests/catch.hpp"
 
+#include <sched.h>
+
 #include <csignal>
 
 using namespace rt;
@@ -39,6 +41,25 @@ TEST_CASE("a child that hangs is ended at its limit") {
         CHECK(result.seconds < 10);
         CHECK(result.output.size() <= (1 << 20));
     }
+}
+
+TEST_CASE("what others take of the time is not the child's") {
+    cpu_set_t all, one;
+    REQUIRE(sched_getaffinity(0, sizeof all, &all) == 0);
+    CPU_ZERO(&one);
+    for (int core = 0; CPU_COUNT(&one) == 0; ++core)
+        if (CPU_ISSET(core, &all)) CPU_SET(core, &one);
+    REQUIRE(sched_setaffinity(0, sizeof one, &one) == 0);
+    ProcessOptions options;
+    options.time_limit = 0.2;
+    const std::string loop = "while :; do :; done";
+    const auto result = run_process(
+        {"sh", "-c", "for other in 1 2 3 4 5 6 7; do timeout 3 sh -c '" + loop + "' & done; " + loop},
+        options);
+    CHECK(sched_setaffinity(0, sizeof all, &all) == 0);
+    CHECK(result.timed_out);
+    CHECK(result.seconds > 0.5);  // an eighth of the core is the child's
+    CHECK(result.seconds < 20);
 }
 
 TEST_CASE("a child that leaves another behind does not hold us up") {
