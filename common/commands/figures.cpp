@@ -1,7 +1,7 @@
 // `course figures`: whether the lessons' figures are what their programs draw.
 #include "common/commands/changed_files.hpp"
 #include "common/commands/commands.hpp"
-#include "common/evidence/self_test.hpp"
+#include "common/evidence/side_by_side.hpp"
 #include "common/image/file.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/terminal/process.hpp"

@@ -1,6 +1,7 @@
 // `course test`: every test of the project, part by part, with times and one closing line.
 #include "common/commands/commands.hpp"
 #include "common/evidence/self_test.hpp"
+#include "common/evidence/side_by_side.hpp"
 #include "common/math/printable.hpp"
 #include "common/math/stopwatch.hpp"
 #include "common/terminal/console.hpp"

@@ -2,14 +2,13 @@
 #include "common/evidence/self_test.hpp"
 
 #include "common/evidence/drifted_files.hpp"
+#include "common/evidence/side_by_side.hpp"
 #include "common/terminal/process.hpp"
 #include "common/workbook/check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 namespace rt {
 
@@ -31,15 +30,6 @@ void SelfTest::add(const SelfTest& other) {
     passed += other.passed;
     failed += other.failed;
     problems.insert(problems.end(), other.problems.begin(), other.problems.end());
-}
-
-void side_by_side(std::size_t count, const std::function<void(std::size_t)>& use) {
-    std::atomic<std::size_t> next = 0;
-    std::vector<std::jthread> threads;
-    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-        threads.emplace_back([&] {
-            for (std::size_t mine; (mine = next++) < count;) use(mine);
-        });
 }
 
 std::vector<std::string> built(const Project& project, const std::vector<std::string>& programs,

@@ -24,10 +24,6 @@ struct SelfTest {
     void add(const SelfTest& other);
 };
 
-/// Calls use(0) … use(count − 1), each once and begun in this order, as many at once as there are cores. What
-/// they throw ends the program.
-void side_by_side(std::size_t count, const std::function<void(std::size_t)>& use);
-
 /// Builds programs; those that cannot be built are failures of the part, the others are returned.
 std::vector<std::string> built(const Project& project, const std::vector<std::string>& programs,
                                SelfTest& part);
