@@ -37,10 +37,12 @@ void mark(const GradeCommand& command, const Project& project, GraderOptions opt
     if (const std::vector<std::string> open = open_at(options.isolation); !open.empty())
         say("level {} leaves open: {}", name_of(options.isolation), fmt::join(open, "; "));
     Grader grader(project, options);
-    results.grades = marks_of(submissions, KeptGrades(project, options),
-                              [&](const Submission& submission, const auto& progress) {
-                                  return grader.grade(submission, progress);
-                              });
+    ClassMarks marks = marks_of(submissions, KeptGrades(project, options),
+                                [&](const Submission& submission, const auto& progress) {
+                                    return grader.grade(submission, progress);
+                                });
+    results.grades = std::move(marks.grades);
+    results.not_marked = std::move(marks.not_marked);
 }
 
 /// Whatever is wrong with what is asked is said now, and not on another machine.
@@ -68,6 +70,7 @@ void merge(const GradeCommand& command, FormatRequest& results) {
     for (const fs::path& file : command.merge)
         files.push_back(read_grades_file(file.string(), read_file(file)));
     results.grades = merged(files);
+    results.not_marked = not_marked_in(files);
     // What students may see, and when, is the rubric's.
     if (!results.grades.empty() && results.grades.front().rubric != digest_of(results.rubric))
         throw InputError(fmt::format("{}: was marked with another rubric than {}",
@@ -109,6 +112,10 @@ int run_grade(const GradeCommand& command) {
         fmt::print("{}", text);
     else
         write_file(command.output, text);
+    // A part's file says who has no mark, and it is said when the parts are merged.
+    if (!results.not_marked.empty() && !results.part)
+        throw InputError(fmt::format("the grader failed at {}, not marked; the results are of all others",
+                                     printable(fmt::format("{}", fmt::join(results.not_marked, ", ")))));
     return 0;
 }
 

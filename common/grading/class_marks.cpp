@@ -2,8 +2,6 @@
 #include "common/grading/class_marks.hpp"
 
 #include "common/grading/run_judge.hpp"
-#include "common/math/counted.hpp"
-#include "common/math/input_error.hpp"
 #include "common/math/printable.hpp"
 #include "common/terminal/console.hpp"
 
@@ -14,14 +12,14 @@
 
 namespace rt {
 
-std::vector<Grade> marks_of(const std::vector<Submission>& submissions, const KeptGrades& kept,
-                            const Marking& mark) {
+ClassMarks marks_of(const std::vector<Submission>& submissions, const KeptGrades& kept, const Marking& mark) {
     std::vector<std::optional<Grade>> grades;
     for (const Submission& submission : submissions) grades.push_back(kept.find(submission));
 
     // The time that remains is told from what is marked now.
     const auto to_do = std::count(grades.begin(), grades.end(), std::nullopt);
-    std::ptrdiff_t done = 0, failed = 0;
+    std::ptrdiff_t done = 0;
+    ClassMarks marks;
     Progress progress("Grading");
     for (std::size_t i = 0; i < grades.size(); ++i) {
         if (grades[i]) continue;
@@ -34,17 +32,13 @@ std::vector<Grade> marks_of(const std::vector<Submission>& submissions, const Ke
         } catch (const GraderFault& fault) {
             say("{}: not marked, which is the grader's fault: {}", printable(submissions[i].name),
                 printable(fault.what()));
-            ++failed;
+            marks.not_marked.push_back(submissions[i].name);
         }
         ++done;
     }
-    if (failed > 0)
-        throw InputError(fmt::format(
-            "the grader failed at {}; the others are marked and kept: leave out what failed for results",
-            counted(failed, "submission")));
-    std::vector<Grade> all;
-    for (std::optional<Grade>& grade : grades) all.push_back(std::move(*grade));
-    return all;
+    for (std::optional<Grade>& grade : grades)
+        if (grade) marks.grades.push_back(std::move(*grade));
+    return marks;
 }
 
 }  // namespace rt

@@ -4,6 +4,7 @@
 #include "common/grading/kept_grades.hpp"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace rt {
@@ -11,11 +12,14 @@ namespace rt {
 /// `Grader::grade`.
 using Marking = std::function<Grade(const Submission&, const std::function<void(double)>& progress)>;
 
-/// The marks of these submissions, in their order. Those that are not kept yet are given by `mark`, with
-/// progress in a terminal, and kept. Where the grader fails (GraderFault), that submission is told on
-/// standard error and has no mark, and all others are marked and kept; then throws InputError, a line for the
-/// instructor: no result is made that lacks somebody.
-std::vector<Grade> marks_of(const std::vector<Submission>& submissions, const KeptGrades& kept,
-                            const Marking& mark);
+struct ClassMarks {
+    std::vector<Grade> grades;            ///< in the order of the submissions
+    std::vector<std::string> not_marked;  ///< names of those at which the grader failed
+};
+
+/// The marks of these submissions. Those that are not kept yet are given by `mark`, with progress in a
+/// terminal, and kept. Where the grader fails (GraderFault), that submission has no mark, and standard error
+/// says why; whoever makes results of the others says that they lack it.
+ClassMarks marks_of(const std::vector<Submission>& submissions, const KeptGrades& kept, const Marking& mark);
 
 }  // namespace rt

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <set>
 
 namespace rt {
 
@@ -111,6 +112,14 @@ std::vector<Grade> merged(const std::vector<GradesFile>& files) {
         grades.push_back(grade);
     }
     return grades;
+}
+
+std::vector<std::string> not_marked_in(const std::vector<GradesFile>& files) {
+    std::set<std::string> names;
+    for (const GradesFile& file : files) names.insert(file.not_marked.begin(), file.not_marked.end());
+    for (const GradesFile& file : files)
+        for (const Grade& grade : file.grades) names.erase(grade.submission);
+    return {names.begin(), names.end()};
 }
 
 }  // namespace rt

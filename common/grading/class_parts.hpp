@@ -30,7 +30,8 @@ bool is_in(const ClassPart& part, std::size_t position);
 struct GradesFile {
     std::string name;  ///< for messages
     std::vector<Grade> grades;
-    std::optional<ClassPart> part{};  ///< nothing: it is no part of anything
+    std::optional<ClassPart> part{};        ///< nothing: it is no part of anything
+    std::vector<std::string> not_marked{};  ///< submissions at which the grader failed
 };
 
 /// One class of several files, ordered by the submissions' names. Throws InputError, a line that names both
@@ -38,5 +39,8 @@ struct GradesFile {
 /// other levels of isolation or on other steps, which would not be the same class; and unless the files are
 /// all the parts of one list, each once, or no parts at all.
 std::vector<Grade> merged(const std::vector<GradesFile>& files);
+
+/// The submissions at which the grader failed and whose mark is in none of the files, each once, sorted.
+std::vector<std::string> not_marked_in(const std::vector<GradesFile>& files);
 
 }  // namespace rt

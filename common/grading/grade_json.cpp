@@ -129,6 +129,13 @@ ClassPart part_from(const JsonValue& value) {
     return part;
 }
 
+Json names_json(std::vector<std::string> names) {
+    std::sort(names.begin(), names.end());
+    Json json = Json::array();
+    for (const std::string& name : names) json.push_back(bytes_json(name));
+    return json;
+}
+
 bool by_name(const Grade& a, const Grade& b) { return a.submission < b.submission; }
 
 }  // namespace
@@ -171,10 +178,12 @@ Grade grade_from(const JsonValue& value) {
     return grade;
 }
 
-std::string grades_text(std::vector<Grade> grades, const std::optional<ClassPart>& part) {
+std::string grades_text(std::vector<Grade> grades, const std::optional<ClassPart>& part,
+                        const std::vector<std::string>& not_marked) {
     std::sort(grades.begin(), grades.end(), by_name);
     std::string text = fmt::format("{{\"version\":{},", version);
     if (part) text += fmt::format("\"part\":{},", json_text(part_json(*part)));
+    if (!not_marked.empty()) text += fmt::format("\"not_marked\":{},", json_text(names_json(not_marked)));
     text += "\"grades\":[";
     for (std::size_t i = 0; i < grades.size(); ++i)
         text += (i == 0 ? "\n" : ",\n") + json_text(to_json(grades[i]));
@@ -184,12 +193,15 @@ std::string grades_text(std::vector<Grade> grades, const std::optional<ClassPart
 GradesFile read_grades_file(const std::string& file, const std::string& text) {
     const JsonSource source = parse_json(file, text);
     const JsonValue root = root_of(source);
-    root.only({"version", "part", "grades"});
+    root.only({"version", "part", "not_marked", "grades"});
     root.at("version").whole(version, version);
-    GradesFile read{file, {}};
+    GradesFile read{file, {}, {}, {}};
     for (const JsonValue& value : root.at("grades").items()) read.grades.push_back(grade_from(value));
     read.grades = merged({read});
     if (root.has("part")) read.part = part_from(root.at("part"));
+    if (root.has("not_marked"))
+        for (const JsonValue& name : root.at("not_marked").items())
+            read.not_marked.push_back(bytes_from(name));
     return read;
 }
 

@@ -19,8 +19,10 @@ nlohmann::ordered_json to_json(const Grade& grade);
 Grade grade_from(const JsonValue& value);
 
 /// Kept results of a class: {"version":1,"grades":[…]}, a line a submission, in the order of their names. Of
-/// the same grades in any order the text has the same bytes. A part of a class says which one it is.
-std::string grades_text(std::vector<Grade> grades, const std::optional<ClassPart>& part = {});
+/// the same grades in any order the text has the same bytes. A part of a class says which one it is, and
+/// results that lack somebody at whom the grader failed say whom.
+std::string grades_text(std::vector<Grade> grades, const std::optional<ClassPart>& part = {},
+                        const std::vector<std::string>& not_marked = {});
 
 /// What `grades_text` wrote, all or nothing. Throws InputError also for a submission that is in it twice.
 GradesFile read_grades_file(const std::string& file, const std::string& text);

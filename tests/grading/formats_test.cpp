@@ -328,6 +328,9 @@ TEST_CASE("the instructor's page") {
     CHECK(count("=1+1 \\xff\\xc3( \\x1b[31m\\x01 &lt;/script&gt;&lt;b&gt;&amp;amp; ]]&gt;") >= 1);
     CHECK(count("src=\"data:image/png;base64,iVBOR") == 1);
     CHECK(class_page({not_taken()}).find("<td>all</td><td>not taken</td>") != std::string::npos);
+    CHECK(class_page(grades).find("the grader failed") == std::string::npos);
+    CHECK(class_page(grades, {"ben", "<cleo>"}).find("the grader failed</dt><dd>ben, &lt;cleo&gt;</dd>") !=
+          std::string::npos);
     CHECK_NOTHROW(class_page({}));
 }
 
@@ -395,7 +398,8 @@ TEST_CASE("kept results are as their schema says") {
     std::vector<Grade> grades = examples();
     const std::string text = grades_text({grades[0]}), schema = "common/grading/grades.schema.json";
     CHECK(test::against_schema({text, grades_text({grades[1]}), grades_text({grades[2]}),
-                                grades_text({bytes}), grades_text({}), grades_text({}, ClassPart{2, 7, "f"})},
+                                grades_text({bytes}), grades_text({}), grades_text({}, ClassPart{2, 7, "f"}),
+                                grades_text({grades[0]}, {}, {"ben", "\xFF"})},
                                schema) == "");
     CHECK(test::against_schema({without(text, "grades", "seed")}, schema) != "");
 }

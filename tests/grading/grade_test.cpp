@@ -126,6 +126,17 @@ TEST_CASE("parts of a class are all there, each once, and are read back the same
               .find("part/number: expected a whole number from 1 to 5") != std::string::npos);
 }
 
+TEST_CASE("whom a part lacks because the grader failed, the class lacks, unless another file has the mark") {
+    const std::vector<std::string> lacks{"ben", "b\xFF"};
+    const Grade ada = test::perfect("ada"), ben = test::perfect("ben");
+    const GradesFile part = read_grades_file("1.json", grades_text({ada}, {}, {"ben", "b\xFF"}));
+    CHECK(part.grades == std::vector<Grade>{ada});
+    CHECK(part.not_marked == lacks);
+    CHECK(not_marked_in({part, {"2.json", {}, {}, {"ben"}}}) == lacks);
+    CHECK(not_marked_in({{"2.json", {ben}}, part}) == std::vector<std::string>{"b\xFF"});
+    CHECK(not_marked_in({{"2.json", {ben}}}).empty());
+}
+
 TEST_CASE("a submission that is there twice, and parts of another class, are refused in one line") {
     const Grade ada = test::perfect("ada"), bob = test::perfect("bob");
     CHECK(merge_error({{"1.json", {ada}}, {"2.json", {bob, ada}}}) ==

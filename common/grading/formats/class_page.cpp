@@ -182,7 +182,7 @@ PageView students_of(const std::vector<Grade>& grades) {
 }
 
 /// The facts of the whole class.
-PageView summary_of(const std::vector<Grade>& grades) {
+PageView summary_of(const std::vector<Grade>& grades, const std::vector<std::string>& not_marked) {
     Points sum;
     double seconds = 0;
     std::set<std::string> levels;
@@ -200,18 +200,19 @@ PageView summary_of(const std::vector<Grade>& grades) {
             {"seconds", duration(seconds)},
             {"each", fmt::format("{:.1f}", seconds / count)},
             {"seed", grades.empty() ? "" : std::to_string(grades.front().seed)},
-            {"isolation", isolation}};
+            {"isolation", isolation},
+            {"not_marked", fmt::format("{}", fmt::join(not_marked, ", "))}};
 }
 
 }  // namespace
 
-std::string class_page(const std::vector<Grade>& grades) {
+std::string class_page(const std::vector<Grade>& grades, const std::vector<std::string>& not_marked) {
     return page_from("common/grading/pages/class.mustache",
                      {{"title", "The class at a glance"},
                       {"policy",
                        "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
                        "img-src data:"},
-                      {"summary", summary_of(grades)},
+                      {"summary", summary_of(grades, not_marked)},
                       {"columns", steps_of(grades)},
                       {"rows", rows_of(grades)},
                       {"mistakes", mistakes_of(grades)},

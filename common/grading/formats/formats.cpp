@@ -31,10 +31,10 @@ const std::vector<Format>& formats() {
     using Request = const FormatRequest&;
     static const std::vector<Format> all{
         {"html", "one page for the instructor: the class at a glance, a page a student",
-         [](Request r) { return class_page(r.grades); }},
+         [](Request r) { return class_page(r.grades, r.not_marked); }},
         {"csv", "a row a submission, a column a step", [](Request r) { return csv(r.grades); }},
         {"json", "all that is known, for the grader itself: what --part writes and --merge reads",
-         [](Request r) { return grades_text(r.grades, r.part); }},
+         [](Request r) { return grades_text(r.grades, r.part, r.not_marked); }},
         {"junit", "JUnit's XML: a suite a submission, a case a step",
          [](Request r) { return junit_xml(all_shown(r)); }},
         {"gradescope", "Gradescope's results.json", [](Request r) { return gradescope(only_one(r)); }},

@@ -51,8 +51,9 @@ std::string junit_xml(const std::vector<ShownGrade>& shown);
 std::string csv(const std::vector<Grade>& grades);
 
 /// One page, nothing loaded from elsewhere: the class at a glance, common mistakes, the slowest, the crashed,
-/// and behind each row its student's page. The grades are of one class.
-std::string class_page(const std::vector<Grade>& grades);
+/// and behind each row its student's page; and who lacks a mark because the grader failed. The grades are of
+/// one class.
+std::string class_page(const std::vector<Grade>& grades, const std::vector<std::string>& not_marked = {});
 
 // ------------------------------------------------------------------------------------------ all by name
 
@@ -63,7 +64,8 @@ struct FormatRequest {
     Moment at{};                             ///< when students read it
     std::vector<std::string> private_words;  ///< see `shown_to_student`
     Classroom50Names classroom50;
-    std::optional<ClassPart> part{};  ///< of a class that the grades are, if they are not all of it
+    std::optional<ClassPart> part{};        ///< of a class that the grades are, if they are not all of it
+    std::vector<std::string> not_marked{};  ///< submissions at which the grader failed
 };
 
 struct Format {
