@@ -114,7 +114,7 @@ int run_grade(const GradeCommand& command) {
         write_file(command.output, text);
     // A part's file says who has no mark, and it is said when the parts are merged.
     if (!results.not_marked.empty() && !results.part)
-        throw InputError(fmt::format("the grader failed at {}, not marked; the results are of all others",
+        throw InputError(fmt::format("the grader failed at {}; the results are of all others",
                                      printable(fmt::format("{}", fmt::join(results.not_marked, ", ")))));
     return 0;
 }

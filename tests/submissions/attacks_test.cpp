@@ -112,10 +112,9 @@ void check_attack(Grader& grader, const Chapter& chapter, const Attack& attack) 
     check_keeps_silent(grade, private_words(this_project()));
 }
 
-/// The first chapter, all or nothing.
-GraderOptions options_for(const std::vector<Chapter>& chapters, Isolation level) {
-    return {
-        .chapters = {&chapters.front()}, .rubric = default_rubric(chapters), .seed = 7, .isolation = level};
+/// All or nothing.
+GraderOptions options_for(const test::Course& course, Isolation level) {
+    return {.chapters = course.marked, .rubric = default_rubric(course.all), .seed = 7, .isolation = level};
 }
 
 }  // namespace
@@ -123,13 +122,11 @@ GraderOptions options_for(const std::vector<Chapter>& chapters, Isolation level)
 TEST_CASE("attacks on the grader get their marks, and leave the machine as it was", "[attacks]") {
     const std::optional<Isolation> level = test::best_level();
     if (!level) return;
-    const Project project = this_project();
-    const std::vector<Chapter> chapters = read_catalogue(project);
-    const Chapter& chapter = chapters.front();
-    GraderOptions options = options_for(chapters, *level);
+    const test::Course course;
+    GraderOptions options = options_for(course, *level);
     options.call_seconds = 2;
-    Grader grader(project, options);
-    const Submission perfect = test::perfect({&chapter});
+    Grader grader(course.project, options);
+    const Submission perfect = test::perfect(course.marked);
     CHECK(earned(grader.grade(perfect)) == whole_points(70));
 
     test::fresh_directory("");
@@ -137,7 +134,7 @@ TEST_CASE("attacks on the grader get their marks, and leave the machine as it wa
     int count = 0;
     for (const auto& entry :
          fs::directory_iterator(fs::path(test::repository()) / "tests/submissions/attacks")) {
-        check_attack(grader, chapter, read_attack(entry.path()));
+        check_attack(grader, course.planes, read_attack(entry.path()));
         ++count;
     }
     CHECK(count >= 45);
@@ -150,13 +147,11 @@ TEST_CASE("attacks on the grader get their marks, and leave the machine as it wa
 TEST_CASE("whoever takes too long loses what was not yet tested, and nothing that was", "[attacks]") {
     const std::optional<Isolation> level = test::best_level();
     if (!level) return;
-    const Project project = this_project();
-    const std::vector<Chapter> chapters = read_catalogue(project);
-    const Chapter& chapter = chapters.front();
-    GraderOptions options = options_for(chapters, *level);
+    const test::Course course;
+    GraderOptions options = options_for(course, *level);
     options.judge_seconds = 5;
-    Grader grader(project, options);
-    Submission slow = test::perfect({&chapter});
+    Grader grader(course.project, options);
+    Submission slow = test::perfect(course.marked);
     std::string& text = slow.files.at("chapters/01_ray_casting/plane.cpp");
     const std::string task = "    // [exercise 01.4]";
     REQUIRE(text.find(task) != std::string::npos);

@@ -12,13 +12,7 @@ using namespace rt;
 
 namespace {
 
-/// A chapter that is cheap to mark.
-struct Course {
-    Project project = this_project();
-    std::vector<Chapter> all = read_catalogue(project);
-    const Chapter& planes = find_chapter(all, "01");
-    std::vector<const Chapter*> marked{&planes};
-};
+using test::Course;
 
 /// What somebody handed in, and the verdicts of those steps that do not pass.
 struct Honest {
@@ -122,6 +116,18 @@ Honest right_in_another_form(const Course& course) {
     return right;
 }
 
+/// What the student's build includes before each file (CMakeLists.txt), so that nobody notices if it is
+/// forgotten.
+Honest includes_forgotten(const Course& course) {
+    const std::string begins = "namespace rt {\n";
+    return honest(course, {"without includes"}).change(course, "camera.cpp", {{begins, begins + R"(
+std::vector<std::string> unused(std::span<const std::optional<std::variant<std::uint32_t, Vec3>>> all) {
+    const auto roots = std::make_unique<std::array<double, 2>>(std::array{std::sqrt(2.0), std::sqrt(3.0)});
+    return std::vector<std::string>(std::min(all.size(), roots->size()));
+}
+)"}});
+}
+
 /// A picture that is small enough for the formats.
 void check_picture(const std::string& bytes) {
     CHECK(bytes.size() <= 48 * 1024);
@@ -159,7 +165,7 @@ TEST_CASE("honest work gets exactly the marks of its working steps", "[honest]")
                                    .call_seconds = 1});
     for (const auto& handed_in :
          {perfect, half_done, one_wrong_step, error_in_one_file, error_in_one_chapter, crash_in_one_step,
-          endless_loop_in_one_step, ten_times_slower, right_in_another_form}) {
+          endless_loop_in_one_step, ten_times_slower, right_in_another_form, includes_forgotten}) {
         const Honest work = handed_in(course);
         check_marks(grader.grade(work.submission), work);
     }
