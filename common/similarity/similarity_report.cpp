@@ -61,9 +61,14 @@ ChapterSimilarity compare(const Project& project, const Chapter& chapter,
         if (Files files = files_of(submission, chapter); !files.empty())
             result.samples.push_back({submission.name, std::move(files)});
 
-    const Files solution = solution_files(project, chapter);
-    Files given;
-    for (const auto& [file, text] : solution) given[file] = exercise_text(text, file);
+    // A file without a step is nobody's to write.
+    const std::vector<std::string> files = files_of_steps(chapter);
+    Files solution, given;
+    for (const auto& [file, text] : solution_files(project, chapter)) {
+        if (std::ranges::find(files, file) == files.end()) continue;
+        solution[file] = text;
+        given[file] = exercise_text(text, file);
+    }
     const std::vector<CodeSample> answers = known_answers(project, chapter, solution);
     result.samples.insert(result.samples.end(), answers.begin(), answers.end());
     result.known = answers.size();

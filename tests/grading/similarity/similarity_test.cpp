@@ -21,10 +21,11 @@ namespace {
 
 /// All names are others, and behind each line stands a comment.
 std::string renamed(const std::string& text) {
-    const std::set<std::string> kept{"if",          "else",    "for",    "while",    "return", "const",
-                                     "namespace",   "auto",    "struct", "switch",   "case",   "template",
-                                     "static_cast", "include", "break",  "continue", "true",   "false",
-                                     "double",      "int",     "bool",   "default",  "using",  "operator"};
+    const std::set<std::string> kept{"if",          "else",     "for",    "while",    "return", "const",
+                                     "namespace",   "auto",     "struct", "switch",   "case",   "template",
+                                     "static_cast", "include",  "break",  "continue", "true",   "false",
+                                     "double",      "int",      "bool",   "default",  "using",  "operator",
+                                     "constexpr",   "requires", "class",  "void",     "static", "inline"};
     std::string other;
     for (std::size_t i = 0; i < text.size();) {
         std::size_t end = i;
