@@ -18,7 +18,7 @@ Credit credit_from(const JsonValue& value) {
     return word == "all" ? Credit::All : Credit::Part;
 }
 
-Moment moment_from(const JsonValue& value) {
+Moment date_from(const JsonValue& value) {
     const std::optional<Moment> moment = moment_of(value.text());
     if (!moment)
         value.fail("expected a time with its distance from UTC, such as \"2027-03-01T23:59:00+01:00\"");
@@ -82,15 +82,15 @@ void read_dates(const JsonValue& root, const std::vector<Chapter>& chapters, Rub
                 chapters.begin(), chapters.end(),
                 [&, &wanted = number](const Chapter& chapter) { return chapter.number == wanted; });
             if (!known) value.fail("there is no such chapter");
-            rubric.due[number] = moment_from(value);
+            rubric.due[number] = date_from(value);
         }
         rubric.late = late_from(root.at("late"));
     }
     if (!root.has("shown_from")) return;
     const JsonValue shown = root.at("shown_from");
     shown.only({"marks", "hidden"});
-    if (shown.has("marks")) rubric.marks_from = moment_from(shown.at("marks"));
-    if (shown.has("hidden")) rubric.hidden_from = moment_from(shown.at("hidden"));
+    if (shown.has("marks")) rubric.marks_from = date_from(shown.at("marks"));
+    if (shown.has("hidden")) rubric.hidden_from = date_from(shown.at("hidden"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace rt {
 
@@ -9,5 +10,10 @@ namespace rt {
 struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// Throws an InputError about a line of a file.
+[[noreturn]] inline void fail_at(const std::string& file, int line, const std::string& what) {
+    throw InputError(file + ":" + std::to_string(line) + ": " + what);
+}
 
 }  // namespace rt

@@ -29,10 +29,6 @@ std::string indentation(std::string_view line) {
     return std::string(line.substr(0, line.find_first_not_of(" \t")));
 }
 
-[[noreturn]] void fail(const std::string& file, int line, const std::string& what) {
-    throw InputError(file + ":" + std::to_string(line) + ": " + what);
-}
-
 /// The step and the first line of the task in `[exercise 02.1] task`.
 struct Opening {
     std::string step;
@@ -41,11 +37,11 @@ struct Opening {
 
 Opening parse_opening(std::string_view text, const std::string& file, int line) {
     const auto end = text.find(']');
-    if (end == std::string_view::npos) fail(file, line, "the marker '[exercise' has no ']'");
+    if (end == std::string_view::npos) fail_at(file, line, "the marker '[exercise' has no ']'");
     const std::string_view step = trimmed(text.substr(opening.size(), end - opening.size()));
     if (!is_step_id(step))
-        fail(file, line,
-             "'" + std::string(step) + "' is not a step; expected '[exercise NN.S]', such as 02.1");
+        fail_at(file, line,
+                "'" + std::string(step) + "' is not a step; expected '[exercise NN.S]', such as 02.1");
     return {std::string(step), std::string(trimmed(text.substr(end + 1)))};
 }
 
@@ -116,26 +112,28 @@ std::vector<ExerciseRegion> exercise_regions(std::string_view solution, const st
         const std::string_view text = comment_text(lines[i]);
         if (text.starts_with(opening)) {
             if (open)
-                fail(file, number,
-                     "a marker inside the exercise that line " + std::to_string(regions.back().first_line) +
-                         " opened; expected '// [/exercise]' before it");
+                fail_at(file, number,
+                        "a marker inside the exercise that line " +
+                            std::to_string(regions.back().first_line) +
+                            " opened; expected '// [/exercise]' before it");
             const Opening marker = parse_opening(text, file, number);
             if (marker.task.empty())
-                fail(file, number, "the exercise has no task; expected text after the ']'");
+                fail_at(file, number, "the exercise has no task; expected text after the ']'");
             regions.push_back({marker.step, number, 0});
             open = true;
         } else if (text.starts_with("[/")) {
             if (text != closing)
-                fail(file, number, "'" + std::string(text) + "' is not a marker; expected '[/exercise]'");
-            if (!open) fail(file, number, "'[/exercise]' closes an exercise that was not opened");
+                fail_at(file, number, "'" + std::string(text) + "' is not a marker; expected '[/exercise]'");
+            if (!open) fail_at(file, number, "'[/exercise]' closes an exercise that was not opened");
             ExerciseRegion& region = regions.back();
             region.last_line = number;
             open = false;
-            if (code_start(lines, region) == i) fail(file, number, "the exercise has no code");
+            if (code_start(lines, region) == i) fail_at(file, number, "the exercise has no code");
         }
     }
     if (open)
-        fail(file, regions.back().first_line, "the exercise is not closed; expected '// [/exercise]' below");
+        fail_at(file, regions.back().first_line,
+                "the exercise is not closed; expected '// [/exercise]' below");
     return regions;
 }
 

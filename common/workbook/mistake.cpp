@@ -11,10 +11,6 @@ namespace rt {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& file, int line, const std::string& what) {
-    throw InputError(file + ":" + std::to_string(line) + ": " + what);
-}
-
 int occurrences(const std::string& text, const std::string& part) {
     int count = 0;
     for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
@@ -41,14 +37,14 @@ Mistake parse_mistake(std::string_view text, const std::string& name) {
         const std::string& line = lines[i];
         const int number = static_cast<int>(i) + 1;
         if (line == "--- replace") {
-            if (part == Part::From) fail(name, number, "the group before has no '--- with'");
+            if (part == Part::From) fail_at(name, number, "the group before has no '--- with'");
             mistake.replacements.push_back({"", "", number});
             part = Part::From;
         } else if (line == "--- with") {
-            if (part != Part::From) fail(name, number, "'--- with' without a '--- replace' before it");
+            if (part != Part::From) fail_at(name, number, "'--- with' without a '--- replace' before it");
             part = Part::To;
         } else if (line == "--- end") {
-            if (part != Part::To) fail(name, number, "'--- end' without a '--- with' before it");
+            if (part != Part::To) fail_at(name, number, "'--- end' without a '--- with' before it");
             part = Part::Head;
         } else if (part == Part::From) {
             mistake.replacements.back().from += line + "\n";
@@ -57,19 +53,19 @@ Mistake parse_mistake(std::string_view text, const std::string& name) {
         } else if (!line.empty() && !read_key(line, "step", mistake.step) &&
                    !read_key(line, "file", mistake.file) && !read_key(line, "why", mistake.why) &&
                    !read_key(line, "shows", mistake.shows)) {
-            fail(name, number,
-                 "expected 'step', 'file', 'why', 'shows' or '--- replace', not '" + line + "'");
+            fail_at(name, number,
+                    "expected 'step', 'file', 'why', 'shows' or '--- replace', not '" + line + "'");
         }
     }
     const int last = static_cast<int>(std::max<std::size_t>(lines.size(), 1));
-    if (part != Part::Head) fail(name, last, "the last group is not closed; expected '--- end'");
-    if (!is_step_id(mistake.step)) fail(name, 1, "expected a line 'step NN.S', such as 'step 02.1'");
-    if (mistake.file.empty()) fail(name, 1, "expected a line 'file x.cpp'");
-    if (mistake.why.empty()) fail(name, 1, "expected a line 'why …'");
+    if (part != Part::Head) fail_at(name, last, "the last group is not closed; expected '--- end'");
+    if (!is_step_id(mistake.step)) fail_at(name, 1, "expected a line 'step NN.S', such as 'step 02.1'");
+    if (mistake.file.empty()) fail_at(name, 1, "expected a line 'file x.cpp'");
+    if (mistake.why.empty()) fail_at(name, 1, "expected a line 'why …'");
     if (mistake.replacements.empty())
-        fail(name, last, "expected a group '--- replace', '--- with', '--- end'");
+        fail_at(name, last, "expected a group '--- replace', '--- with', '--- end'");
     for (const Replacement& replacement : mistake.replacements)
-        if (replacement.from.empty()) fail(name, replacement.line, "nothing to replace");
+        if (replacement.from.empty()) fail_at(name, replacement.line, "nothing to replace");
     return mistake;
 }
 
@@ -80,8 +76,8 @@ std::string apply_mistake(const Mistake& mistake, const std::string& solution, c
         if (count != 1) {
             const std::string found =
                 count == 0 ? "does not stand" : "stands " + std::to_string(count) + " times";
-            fail(name, replacement.line,
-                 "the text to replace " + found + " in " + mistake.file + "; expected once");
+            fail_at(name, replacement.line,
+                    "the text to replace " + found + " in " + mistake.file + "; expected once");
         }
         text.replace(text.find(replacement.from), replacement.from.size(), replacement.to);
     }
