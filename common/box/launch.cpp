@@ -37,7 +37,7 @@ bool set_limit(int resource, std::uint64_t soft, std::uint64_t hard) {
 }
 
 /// Limits that the kernel holds by itself, of each process.
-bool set_limits(const Box& box, bool own_uid) {
+bool set_limits(const Sandbox& box, bool own_uid) {
     const Limits& limits = box.limits;
     // Behind the supervisor's limit, which looks at all processes and at parts of a second.
     const auto seconds = static_cast<std::uint64_t>(std::ceil(limits.cpu_seconds)) + 1;
@@ -57,7 +57,7 @@ bool set_limits(const Box& box, bool own_uid) {
     return good;
 }
 
-std::vector<std::string> environment_of(const Box& box, const std::string& scratch) {
+std::vector<std::string> environment_of(const Sandbox& box, const std::string& scratch) {
     std::vector<std::string> texts{"PATH=/usr/bin", "HOME=" + scratch, "TMPDIR=" + scratch};
     for (const auto& [name, value] : box.environment) texts.push_back(name + "=" + value);
     return texts;
@@ -119,7 +119,7 @@ void keep(int descriptor) { fcntl(descriptor, F_SETFD, 0); }
 }
 
 [[noreturn]] void become_program(const Launch& launch) {
-    const Box& box = launch.request.box;
+    const Sandbox& box = launch.request.box;
     if (chdir(launch.stage.scratch().c_str()) != 0) fail(launch, launch.stage.scratch());
     if (box.isolation == Isolation::User) {
         if (!restrict_files(launch.stage.mounts(), launch.stage.scratch()))
@@ -134,7 +134,7 @@ void keep(int descriptor) { fcntl(descriptor, F_SETFD, 0); }
 
 /// The child's side.
 [[noreturn]] void become(const Launch& launch, pid_t supervisor) {
-    const Box& box = launch.request.box;
+    const Sandbox& box = launch.request.box;
     setsid();
     const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
     if (dup2(nothing, STDIN_FILENO) < 0 || dup2(launch.output.writer(), STDOUT_FILENO) < 0 ||

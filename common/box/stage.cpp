@@ -98,7 +98,8 @@ void copy_whole(int source, const struct stat& status, int directory, const std:
 
 }  // namespace
 
-Stage::Stage(const Box& box, const Identity& identity) : box_(box), identity_(identity), mounts_(box.mounts) {
+Stage::Stage(const Sandbox& box, const Identity& identity)
+    : box_(box), identity_(identity), mounts_(box.mounts) {
     // While all paths are what they are for the grader.
     for (const Product& product : box.products) {
         const std::string directory = fs::path(product.host).parent_path().string();

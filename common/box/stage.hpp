@@ -18,7 +18,7 @@ class Stage {
 public:
     /// Throws InputError where this machine does not allow it, or if a mount or a product's directory is
     /// missing.
-    Stage(const Box& box, const Identity& identity);
+    Stage(const Sandbox& box, const Identity& identity);
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
     ~Stage();
@@ -36,7 +36,7 @@ private:
     void mount_scratch() const;
     void remove_directory();
 
-    const Box& box_;
+    const Sandbox& box_;
     const Identity& identity_;
     std::string scratch_;
     std::vector<Mount> mounts_;

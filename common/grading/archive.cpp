@@ -28,8 +28,8 @@ constexpr std::uint64_t longest_list = std::uint64_t{4} << 20;
 /// The status of a shell that could not start a program, and of a program without its libraries.
 constexpr int not_started = 127;
 
-Box box_for(Isolation isolation) {
-    Box box;
+Sandbox box_for(Isolation isolation) {
+    Sandbox box;
     box.isolation = isolation;
     box.limits = unpacking_limits();
     box.mounts = library_mounts();
@@ -51,7 +51,7 @@ std::string complaint(const std::string& errors) {
 /// Runs bsdtar on an archive, which it gets as a descriptor: no path to it need be open to the box. A
 /// password is given so that it asks nobody for one. Throws BadSubmission if it has anything to complain
 /// about.
-Ending bsdtar(const fs::path& archive, const Box& box, const std::vector<std::string>& arguments) {
+Ending bsdtar(const fs::path& archive, const Sandbox& box, const std::vector<std::string>& arguments) {
     const Descriptor file(::open(archive.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.number < 0)
         throw InputError(fmt::format("{}: {}", printable(archive.string()), std::strerror(errno)));
@@ -145,7 +145,7 @@ Submission read_archive(const fs::path& archive, const std::vector<const Chapter
         for (const std::string& file : files_of_steps(*chapter))
             for (const std::string& place : places_of(*chapter, file)) places.push_back(place);
 
-    Box box = box_for(isolation);
+    Sandbox box = box_for(isolation);
     const auto exercises = chosen(archive, find_exercises(bsdtar(archive, box, {"-t"}).output, places));
     if (exercises.second.empty()) throw without_exercises(archive, chapters);
 

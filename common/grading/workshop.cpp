@@ -54,8 +54,8 @@ std::string first_of(const Project& project, std::string output, const std::stri
     return first_error(project, output);
 }
 
-Box compilers_box(Isolation isolation) {
-    Box box;
+Sandbox compilers_box(Isolation isolation) {
+    Sandbox box;
     box.isolation = isolation;
     box.limits = compiler_limits();
     box.mounts = compiler_mounts();
@@ -105,7 +105,7 @@ const Workshop::Compiled& Workshop::compiled(const Chapter& chapter, const std::
     const fs::path directory = place() / "objects" / key;
     fs::create_directories((directory / name).parent_path());
     write_file(directory / name, text);
-    Box box = compilers_box(isolation_);
+    Sandbox box = compilers_box(isolation_);
     box.mounts.push_back({(place() / "include").string(), "/course"});
     box.mounts.push_back({directory.string(), "/job"});
     Compiled made{directory / "out.o", "", 0};
@@ -128,7 +128,7 @@ const Workshop::Compiled& Workshop::compiled(const Chapter& chapter, const std::
 
 std::string Workshop::link(const Chapter& chapter, const std::vector<fs::path>& objects,
                            const fs::path& directory, std::uint64_t& peak_memory) {
-    Box box = compilers_box(isolation_);
+    Sandbox box = compilers_box(isolation_);
     box.mounts.push_back({place().string(), "/course"});
     box.products.push_back({"out", (directory / "worker").string()});
     std::vector<std::string> command{compiler.front(), "-o", "out"};

@@ -19,7 +19,7 @@ namespace {
 constexpr std::array levels{Isolation::Bubblewrap, Isolation::User, Isolation::None};
 
 Level tried(Isolation isolation) {
-    Box box;
+    Sandbox box;
     box.isolation = isolation;
     box.mounts = compiler_mounts();
     try {
@@ -38,7 +38,7 @@ bool has_landlock() {
 
 /// Whether root may mount, which a container's root most often may not.
 bool has_mounts() {
-    Box box;
+    Sandbox box;
     box.isolation = Isolation::User;
     box.mounts = compiler_mounts();
     box.limits.files = 1;

@@ -16,7 +16,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Limits, cpu_seconds, wall_seconds, process_me
                                    processes, file_size, disk, files, open_files, output)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Mount, host, inside)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Product, inside, host)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Box, isolation, limits, mounts, products, environment, may_mount)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sandbox, isolation, limits, mounts, products, environment, may_mount)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Request, box, command, descriptors)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Ending, end, number, wall_seconds, cpu_seconds, peak_memory, output,
                                    errors, products)

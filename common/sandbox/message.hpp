@@ -10,7 +10,7 @@
 namespace rt {
 
 struct Request {
-    Box box;
+    Sandbox box;
     std::vector<std::string> command;
     std::size_t descriptors = 0;  ///< how many follow standard error
 };

@@ -96,7 +96,7 @@ pid_t spawn(const std::string& program, int control, std::span<const int> descri
 
 }  // namespace
 
-std::string seen_from(const Box& box, const std::filesystem::path& host) {
+std::string seen_from(const Sandbox& box, const std::filesystem::path& host) {
     const std::string path = host.lexically_normal().string();
     if (box.isolation != Isolation::Bubblewrap) return path;
     for (const Mount& mount : box.mounts) {
@@ -106,7 +106,7 @@ std::string seen_from(const Box& box, const std::filesystem::path& host) {
     throw std::logic_error(path + " is below no mount of the box");
 }
 
-Boxed start(const Box& box, const std::vector<std::string>& command, std::span<const int> descriptors) {
+Boxed start(const Sandbox& box, const std::vector<std::string>& command, std::span<const int> descriptors) {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("a socket for a box");
     const Descriptor theirs(ends[1]);
@@ -118,7 +118,7 @@ Boxed start(const Box& box, const std::vector<std::string>& command, std::span<c
     return boxed;
 }
 
-Ending run_in(const Box& box, const std::vector<std::string>& command, std::span<const int> descriptors) {
+Ending run_in(const Sandbox& box, const std::vector<std::string>& command, std::span<const int> descriptors) {
     return start(box, command, descriptors).wait();
 }
 

@@ -54,7 +54,7 @@ struct Product {
 
 /// The program starts in an empty scratch directory, the only place where it may write, whose name it finds
 /// in HOME and TMPDIR: /tmp at level Bubblewrap.
-struct Box {
+struct Sandbox {
     Isolation isolation = Isolation::Bubblewrap;
     Limits limits;
     std::vector<Mount> mounts;
@@ -67,7 +67,7 @@ struct Box {
 };
 
 /// The name by which the program knows a file or directory of this machine that is below one of the mounts.
-std::string seen_from(const Box& box, const std::filesystem::path& host);
+std::string seen_from(const Sandbox& box, const std::filesystem::path& host);
 
 enum class End {
     Exited,    ///< by itself, with a status
@@ -120,9 +120,11 @@ private:
 
 /// Starts a program, named by its path inside, in a box. Standard input is empty; the program finds
 /// `descriptors` as 3, 4, ... in their order, and no others. Throws InputError if there is no course-box.
-Boxed start(const Box& box, const std::vector<std::string>& command, std::span<const int> descriptors = {});
+Boxed start(const Sandbox& box, const std::vector<std::string>& command,
+            std::span<const int> descriptors = {});
 
 /// Starts it and waits for the end.
-Ending run_in(const Box& box, const std::vector<std::string>& command, std::span<const int> descriptors = {});
+Ending run_in(const Sandbox& box, const std::vector<std::string>& command,
+              std::span<const int> descriptors = {});
 
 }  // namespace rt

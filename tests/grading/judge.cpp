@@ -100,8 +100,8 @@ private:
     explicit Worker(const Descriptor& file)
         : channel(file.number, Side::Judge), box(box_of(required(worker_program))), boxed(run(file)) {}
 
-    static Box box_of(const std::filesystem::path& program) {
-        Box box;
+    static Sandbox box_of(const std::filesystem::path& program) {
+        Sandbox box;
         box.isolation = isolation_named(required(isolation));
         box.limits = worker_limits();
         box.mounts = library_mounts();
@@ -114,7 +114,7 @@ private:
         return start(box, {seen_from(box, required(worker_program))}, descriptors);
     }
 
-    Box box;
+    Sandbox box;
     Boxed boxed;
 };
 

@@ -98,8 +98,8 @@ Limits small_limits() {
     return limits;
 }
 
-Box attack_box(const Way& way) {
-    Box box;
+Sandbox attack_box(const Way& way) {
+    Sandbox box;
     box.isolation = way.isolation;
     box.limits = small_limits();
     box.may_mount = way.may_mount;
@@ -107,7 +107,7 @@ Box attack_box(const Way& way) {
     return box;
 }
 
-std::vector<std::string> attack(const Box& box, const std::string& name,
+std::vector<std::string> attack(const Sandbox& box, const std::string& name,
                                 const std::vector<std::string>& arguments) {
     std::vector<std::string> command{seen_from(box, fs::path(attack_directory()) / ("box_" + name))};
     command.insert(command.end(), arguments.begin(), arguments.end());
@@ -148,12 +148,12 @@ Ending as(const Way& way, const std::function<Ending()>& action) {
     return reply.verdict;
 }
 
-Ending run(const Way& way, const Box& box, const std::vector<std::string>& command) {
+Ending run(const Way& way, const Sandbox& box, const std::vector<std::string>& command) {
     return as(way, [&] { return run_in(box, command); });
 }
 
 Ending run_attack(const Way& way, const std::string& name, const std::vector<std::string>& arguments) {
-    const Box box = attack_box(way);
+    const Sandbox box = attack_box(way);
     return run(way, box, attack(box, name, arguments));
 }
 

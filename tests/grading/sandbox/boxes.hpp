@@ -29,10 +29,10 @@ const std::vector<Way>& ways();
 Limits small_limits();
 
 /// A box that sees the attacks.
-Box attack_box(const Way& way);
+Sandbox attack_box(const Way& way);
 
 /// The command that is an attack's program with arguments, as it is seen in this box.
-std::vector<std::string> attack(const Box& box, const std::string& name,
+std::vector<std::string> attack(const Sandbox& box, const std::string& name,
                                 const std::vector<std::string>& arguments = {});
 
 /// Makes this process who asks, for good. False if that cannot be.
@@ -43,7 +43,7 @@ bool become(const Way& way);
 Ending as(const Way& way, const std::function<Ending()>& action);
 
 /// Runs a command in a box as who asks.
-Ending run(const Way& way, const Box& box, const std::vector<std::string>& command);
+Ending run(const Way& way, const Sandbox& box, const std::vector<std::string>& command);
 
 /// An attack in its box with small limits.
 Ending run_attack(const Way& way, const std::string& name, const std::vector<std::string>& arguments = {});

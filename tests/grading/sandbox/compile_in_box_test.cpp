@@ -17,8 +17,8 @@ struct Compilation {
     std::string program;  ///< its path, if there is one
 };
 
-Box compiler_box(const Way& way, const std::string& source, const std::string& out) {
-    Box box;
+Sandbox compiler_box(const Way& way, const std::string& source, const std::string& out) {
+    Sandbox box;
     box.isolation = way.isolation;
     box.may_mount = way.may_mount;
     box.limits = compiler_limits();
@@ -36,7 +36,7 @@ Compilation compiled(const Way& way, const std::string& text) {
     const std::string source = fresh_directory("src"), out = fresh_directory("out");
     fs::permissions(out, fs::perms(0777));
     write_file(source + "/main.cpp", text);
-    const Box box = compiler_box(way, source, out + "/program");
+    const Sandbox box = compiler_box(way, source, out + "/program");
     std::vector<std::string> command{"/usr/bin/g++", "-std=c++20"};
     for (const std::string& option : short_diagnostics()) command.push_back(option);
     for (const std::string& word :
@@ -74,7 +74,7 @@ TEST_CASE("g++ compiles and links in a box, and the program runs in another", "[
         REQUIRE(compilation.verdict.end == End::Exited);
         REQUIRE(compilation.verdict.number == 0);
         REQUIRE_FALSE(compilation.program.empty());
-        Box box = attack_box(way);
+        Sandbox box = attack_box(way);
         box.mounts = library_mounts();
         box.mounts.push_back({compilation.program, "/program"});
         CHECK(run(way, box, {seen_from(box, compilation.program), "2"}).output == "1.414");

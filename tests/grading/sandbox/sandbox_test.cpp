@@ -118,10 +118,10 @@ TEST_CASE("a level of isolation is possible or says why it is not", "[box]") {
 
 TEST_CASE("what cannot be started is refused with one line", "[box]") {
     in_every_way([](const Way& way) {
-        const auto refusal = [&](const Box& box, const std::vector<std::string>& command) {
+        const auto refusal = [&](const Sandbox& box, const std::vector<std::string>& command) {
             return error_of([&] { run(way, box, command); });
         };
-        Box box = attack_box(way);
+        Sandbox box = attack_box(way);
         const std::string missing = refusal(box, {"/attacks/none"});
         CHECK(missing.find("/attacks/none: No such file or directory") != std::string::npos);
         CHECK(std::ranges::count(missing, '\n') == 0);
@@ -170,7 +170,7 @@ TEST_CASE("boxes have nothing of each other's limits, and leave no zombie", "[bo
     in_every_way([](const Way& way) {
         const Ending all = as(way, [&] {
             std::vector<Boxed> boxes;
-            const Box box = attack_box(way);
+            const Sandbox box = attack_box(way);
             for (int i = 0; i < 4; ++i) boxes.push_back(start(box, attack(box, "forks")));
             Ending sum;
             for (Boxed& boxed : boxes) sum.number += number_in(boxed.wait());
@@ -188,7 +188,7 @@ TEST_CASE("a box dies with its grader", "[box]") {
         const pid_t grader = fork();
         if (grader == 0) {
             if (!become(way)) _exit(1);
-            const Box box = attack_box(way);
+            const Sandbox box = attack_box(way);
             const Boxed boxed = start(box, attack(box, "sleep"));
             for (;;) pause();
         }
@@ -218,7 +218,7 @@ TEST_CASE("processes, time, memory and output have limits", "[box]") {
         CHECK(ends_by(run_attack(way, "deep_stack"), SIGSEGV));
         CHECK(in_words(output, small_limits()) == "wrote more than 0.0625 MiB of output");
 
-        Box box = attack_box(way);
+        Sandbox box = attack_box(way);
         box.limits.cpu_seconds = box.limits.wall_seconds = 0.3;
         CHECK(run(way, box, attack(box, "sleep")).end == End::WallTime);
         box.limits.wall_seconds = 20;
@@ -281,7 +281,7 @@ TEST_CASE("a box sees no other process, no descriptor and no environment", "[box
         CHECK(given.output.find("rosebud") == std::string::npos);
         const Ending kept = as(way, [&] {
             const Pair pair;
-            const Box box = attack_box(way);
+            const Sandbox box = attack_box(way);
             const int both[] = {pair.there.number, pair.here.number};
             return run_in(box, attack(box, "descriptors"), both);
         });
@@ -323,7 +323,7 @@ TEST_CASE("a box leaves no process behind and harms none", "[box]") {
         const Ending attacked = as(way, [&] {
             Worker neighbour(way);
             if (!neighbour.pair.answers()) throw std::runtime_error("no answer");
-            const Box box = attack_box(way);
+            const Sandbox box = attack_box(way);
             const Ending verdict = run_in(
                 box, attack(box, "attack_processes", {std::to_string(getpid()), std::to_string(getppid())}));
             if (!neighbour.pair.answers()) throw std::runtime_error("the neighbour was ended");
@@ -350,7 +350,7 @@ TEST_CASE("only regular files come out of a box, whole", "[box]") {
         const std::string out = fresh_directory("out"), secret = fresh_directory("secret") + "/file";
         fs::permissions(out, fs::perms(0777));
         write_file(secret, "secret");
-        Box box = attack_box(way);
+        Sandbox box = attack_box(way);
         for (const char* name : {"right", "link", "pipe", "directory", "hard", "absent", "root/etc/passwd",
                                  "../../etc/passwd", "/etc/passwd"})
             box.products.push_back({name, out + "/" + fs::path(name).filename().string()});
