@@ -61,7 +61,7 @@ function(course_variants number)
     set(most 0)
     foreach(variant IN LISTS variants)  # sorted by name, hence by step
         get_filename_component(stem ${variant} NAME)
-        string(SUBSTRING ${stem} 0 4 step)
+        string(REGEX REPLACE "_.*" "" step ${stem})
         if(NOT step STREQUAL last_step)
             set(k 0)
             set(last_step ${step})

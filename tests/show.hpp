@@ -10,6 +10,9 @@
 #include "chapters/08_antialiasing/estimate.hpp"
 #include "chapters/08_antialiasing/film.hpp"
 #include "chapters/09_grids/walk.hpp"
+#include "chapters/10_surfaces/cone.hpp"
+#include "chapters/10_surfaces/implicit.hpp"
+#include "chapters/10_surfaces/torus.hpp"
 #include "common/world/world.hpp"
 
 #include <charconv>
@@ -88,6 +91,96 @@ inline std::string show(const Polygon& polygon) {
     std::string text = "polygon";
     for (const Vec3& vertex : polygon.vertices) text += " " + show(vertex);
     return text;
+}
+
+inline std::string show(const Box& box) { return "box from " + show(box.low) + " to " + show(box.high); }
+
+inline std::string show(const Disc& disc) {
+    return "disc around " + show(disc.center) + " with normal " + show(disc.normal) + " and radius " +
+           show(disc.radius);
+}
+
+inline std::string show(const Cone& cone) {
+    return "cone from " + show(cone.a) + ", radius " + show(cone.radius_a) + ", to " + show(cone.b) +
+           ", radius " + show(cone.radius_b);
+}
+
+inline std::string show(const OpenCone& open) { return "open " + show(open.cone); }
+
+inline std::string show(const Implicit& implicit) {
+    return implicit.f->text + " = 0 in a " + show(implicit.box);
+}
+
+inline std::string show(const Quadric& q) {
+    return "quadric of " + show(q.squares) + ", " + show(q.mixed) + ", " + show(q.linear) + ", " +
+           show(q.constant) + " in a " + show(q.box);
+}
+
+inline std::string show(const Enclosure& a) { return "[" + show(a.low) + ", " + show(a.high) + "]"; }
+
+inline std::string show(const Piece& piece) { return show(piece.low) + " and " + show(piece.high); }
+
+inline std::string show(const LineCrossing& crossing) {
+    return "crossing at " + show(crossing.t) + " to side " + show(crossing.after);
+}
+
+inline std::string show(const Span& span) {
+    return "inside from " + show(span.enter) + " (face " + show(span.enter_face) + ") to " +
+           show(span.leave) + " (face " + show(span.leave_face) + ")";
+}
+
+inline std::string show(const ConeLine& line) {
+    return "tau from t = " + show(line.from) + ": |" + show(line.e) + " + tau " + show(line.m) +
+           "| against " + show(line.alpha) + " + tau " + show(line.beta) + ", along the axis at " +
+           show(line.along) + " + tau " + show(line.along_step) + ", a = " + show(line.a);
+}
+
+inline std::string show(const Torus& torus) {
+    return "torus around " + show(torus.center) + " with axis " + show(torus.axis) + ", ring " +
+           show(torus.ring) + " and tube " + show(torus.tube);
+}
+
+inline std::string show(const TorusSpans& spans) {
+    std::string text;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(spans.count); ++i)
+        text += (i == 0 ? "inside from " : " and from ") + show(spans.spans[i].enter) + " to " +
+                show(spans.spans[i].leave);
+    return text.empty() ? "nowhere inside" : text;
+}
+
+inline std::string show(const TorusLine& line) {
+    return "from + tau/speed with from = " + show(line.from) + ", speed = " + show(line.speed) +
+           "; q = " + show(line.q) + ", e = " + show(line.e) + ", n = " + show(line.n);
+}
+
+/// t^4 - 2t^2 + 1
+inline std::string show(const Polynomial& p) {
+    std::string text;
+    for (std::size_t i = 5; i-- > 0;)
+        if (p.a[i] != 0)
+            text += (text.empty() ? "" : " + ") + show(p.a[i]) + (i > 0 ? " t^" + std::to_string(i) : "");
+    return text.empty() ? "0" : text;
+}
+
+inline std::string show(const SignChanges& changes) {
+    std::string text;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(changes.count); ++i)
+        text += " " + show(changes.t[i]);
+    return changes.count == 0 ? "no change of sign" : "changes of sign at" + text;
+}
+
+/// Of nothing that becomes one, as a JSON value would.
+template <std::same_as<SetOperation> Operation>
+std::string show(Operation operation) {
+    switch (operation) {
+        case SetOperation::Union:
+            return "union";
+        case SetOperation::Intersection:
+            return "intersection";
+        case SetOperation::Difference:
+            return "difference";
+    }
+    return "no operation";
 }
 
 inline std::string show(const Transform& transform) { return "transform" + show(transform.to_world); }

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
-#include <iterator>
 #include <string_view>
 
 namespace rt {
@@ -199,6 +198,82 @@ void write_polygon(Author& a) {
     a.line("polygon{}\npopTransform", indices);
 }
 
+/// The end of a rod, or of a box, beside a middle.
+std::string near_middle(Author& a, const Vec3& middle, const Vec3& low, const Vec3& high) {
+    return triple(a.unit * (middle + in_box(a, low, high)));
+}
+
+/// A ring, seldom one that is closed to a spindle.
+void write_torus(Author& a) {
+    const Real ring = a.unit * a.uniform(0.25, 0.7),
+               part = a.chance(0.85) ? a.uniform(0.1, 0.9) : a.uniform(1, 2);
+    a.line("torus {} {} {:.5g} {:.5g}",
+           triple(a.unit * in_box(a, Vec3(-1.4, -0.5, -1.4), Vec3(1.4, 0.9, 1.4))),
+           triple(in_box(a, Vec3(-1), Vec3(1))), ring, part * ring);
+}
+
+/// A closed surface f = 0, in a space of its own whose unit it knows.
+void write_implicit(Author& a) {
+    a.line("pushTransform\ntranslate {}",
+           triple(a.unit * in_box(a, Vec3(-1.2, -0.4, -1.2), Vec3(1.2, 0.8, 1.2))));
+    a.line("scale {0:.5g} {0:.5g} {0:.5g}", a.unit * a.uniform(0.2, 0.7));
+    if (a.chance(0.5)) {
+        const Real b = a.uniform(0.5, 2), c = a.uniform(0.5, 2), g = a.uniform(-0.3, 0.3);
+        a.line("quadric 1 {:.5g} {:.5g} {:.5g} 0 0 {:.5g} 0 0 -1 -2 -2 -2 2 2 2", b, c, g, g);
+    } else {
+        a.line("implicit -2 -2 -2 2 2 2 {}",
+               a.one_of({"x^4+y^4+z^4-1", "(x^2+y^2+z^2+3/4)^2-4*(x^2+y^2)", "x^2+y^2+z^2-sin(3*x)/4-1",
+                         "max(abs(x),abs(y))+z^2-1",
+                         "1/2-exp(-2*x^2-2*y^2-2*(z-1/2)^2)-exp(-2*x^2-2*y^2-2*(z+1/2)^2)"}));
+    }
+    a.line("popTransform");
+}
+
+/// One of those of chapter 10 that are solid, or that are not.
+void write_round_or_box(Author& a, bool solid) {
+    if (solid && a.chance(0.4)) return a.chance(0.5) ? write_torus(a) : write_implicit(a);
+    const Vec3 middle = in_box(a, Vec3(-1.4, -0.5, -1.4), Vec3(1.4, 0.9, 1.4));
+    const Real r = a.unit * a.uniform(0.1, 0.6);
+    const auto ends = [&](const std::string& first, const std::string& second) {
+        const std::string one = near_middle(a, middle, Vec3(-0.6), Vec3(-0.05));
+        return one + first + " " + near_middle(a, middle, Vec3(0.05), Vec3(0.6)) + second;
+    };
+    const std::string radius = fmt::format(" {:.5g}", r);
+    const std::string other = a.chance(0.4) ? " 0" : fmt::format(" {:.5g}", r * a.uniform(0.2, 2));
+    const bool first = a.chance(0.5);
+    if (a.chance(0.33))
+        solid ? a.line("box {}", ends("", ""))
+              : a.line("disc {} {}{}", triple(a.unit * middle), triple(in_box(a, Vec3(-1), Vec3(1))), radius);
+    else if (a.chance(0.5))
+        a.line("{} {}", solid ? "cylinder" : "openCylinder", ends("", radius));
+    else
+        a.line("{} {}", solid ? "cone" : "openCone", ends(first ? radius : other, first ? other : radius));
+}
+
+/// Solids around one place, so that they overlap as a rule; the first of a difference is the largest.
+void write_combination(Author& a) {
+    const char* const word = a.one_of({"union", "intersection", "difference", "difference"});
+    const Vec3 middle = in_box(a, Vec3(-1.2, -0.4, -1.2), Vec3(1.2, 0.8, 1.2));
+    a.line("{}", word);
+    const int parts = a.whole(2, 4);
+    for (int i = 0; i < parts; ++i) {
+        const Real size = a.uniform(0.25, 0.5) * (i == 0 ? 1.5 : 1);
+        const std::string at = triple(a.unit * (middle + in_box(a, Vec3(-0.3), Vec3(0.3))));
+        const bool apart = std::string_view(word) != "intersection";  // or it would be nothing
+        const bool turned = apart && a.chance(0.4), nested = apart && i > 0 && a.chance(0.2);
+        if (nested) a.line("intersection");
+        if (turned) write_transform(a);
+        if (!apart || a.chance(0.4))
+            a.line("sphere {} {:.5g}", at, a.unit * size);
+        else
+            a.line("box {} {}", at, triple(a.unit * (middle + in_box(a, Vec3(0.32), Vec3(0.7)))));
+        if (nested)
+            a.line("cylinder {} {} {:.5g}\nend", triple(a.unit * (middle - size)), at, a.unit * size * 0.8);
+        if (turned) a.line("popTransform");
+    }
+    a.line("end");
+}
+
 void write_mesh(Author& a) {
     a.line("pushTransform\nscale {0:.7g} {0:.7g} {0:.7g}", a.unit * a.uniform(0.5, 1));
     a.line("translate {}", triple(in_box(a, Vec3(-1.2, -0.4, -1.2), Vec3(1.2, 0.8, 1.2))));
@@ -212,12 +287,18 @@ void write_mesh(Author& a) {
 void write_object(Author& a) {
     const bool triangles_only = a.integrator == rasterize_word;
     const int kind = triangles_only ? a.whole(6, 9) : a.whole(0, 9);
+    // Half of the balls and of the triangles are something else that has an inside, or that has none.
+    const bool round_or_box = !triangles_only && kind != 5 && kind < 8 && a.chance(0.5);
     // Single faces have no inside, so no glass.
     write_material(a, kind >= 5 && kind < 8 ? 0 : 0.35);
     if (kind == 5) return write_polygon(a);
     const bool moved = kind <= 7 && a.chance(0.4);
     if (moved) write_transform(a);
-    if (kind < 5)
+    if (round_or_box && kind < 5 && a.chance(0.3))
+        write_combination(a);
+    else if (round_or_box)
+        write_round_or_box(a, kind < 5);
+    else if (kind < 5)
         write_sphere(a);
     else if (kind < 8)
         write_triangle(a);

@@ -32,19 +32,19 @@ PageView plots_view(const std::vector<ReportPlot>& plots) {
     return view;
 }
 
-PageView kernels_view(const ReportData& kernels) {
-    PageView view = {{"sphere_family", kernels.at("sphere_family")},
-                     {"triangle_family", kernels.at("triangle_family")},
-                     {"shapes", PageView::array()}};
-    const auto& rows = kernels.at("rows");
-    for (const auto* shape : {"sphere", "triangle"}) {
-        PageView shown = PageView::array();
-        for (const auto& row : rows)
-            if (row.at("shape") == shape) shown.push_back(numbers_as_text(row));
-        view["shapes"].push_back(
-            {{"shape", shape}, {"cases", number_text(rows.front().at("cases"))}, {"rows", shown}});
+PageView kernels_view(const ReportData& kernels, const PageView& plots) {
+    PageView shapes = PageView::array();
+    for (const auto& family : kernels.at("families")) {
+        PageView rows = PageView::array();
+        for (const auto& row : kernels.at("rows"))
+            if (row.at("shape") == family.at("shape")) rows.push_back(numbers_as_text(row));
+        shapes.push_back({{"shape", family.at("shape")},
+                          {"words", family.at("words")},
+                          {"cases", number_text(family.at("cases"))},
+                          {"plot", plots.value("kernels_" + std::string(family.at("shape")), PageView())},
+                          {"rows", rows}});
     }
-    return view;
+    return {{"shapes", shapes}};
 }
 
 /// What a scene's plot says below it.
@@ -183,7 +183,7 @@ std::string report_page(const ReportData& data, const std::vector<ReportPlot>& p
                      {"machine", numbers_as_text(data.at("machine"))},
                      {"measuring", measuring_time(data)},
                      {"plots", plots_view(plots)}};
-    if (data.contains("kernels")) view["kernels"] = kernels_view(data.at("kernels"));
+    if (data.contains("kernels")) view["kernels"] = kernels_view(data.at("kernels"), view.at("plots"));
     if (data.contains("pictures")) view["pictures"] = pictures_view(data.at("pictures"), view.at("plots"));
     if (data.contains("grids")) view["grids"] = grids_view(data.at("grids"));
     if (data.contains("stability")) view["stability"] = stability_view(data.at("stability"));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <string_view>
 
@@ -80,12 +81,34 @@ std::string power_of(const ReportData& law) { return in_quotes("N^{" + exponent(
 
 // ---------------------------------------------------------------------------------------------- kernels
 
+/// A colour of a plot: what it stands for, and by how many methods.
+struct KernelColor {
+    std::string look;
+    int methods = 0;
+};
+
 ReportPlot kernel_plot(const ReportData& kernels, const std::string& shape) {
+    std::map<int, KernelColor> colors;
+    double slowest = 20'000;
+    for (const auto& row : kernels.at("rows")) {
+        if (row.at("shape") != shape) continue;
+        KernelColor& color = colors[row.at("color")];
+        color.look = row.at("look");
+        ++color.methods;
+        slowest = std::max(slowest, 2 * row.at("ns").get<double>());
+    }
     Variables variables;
     variables.literal("shape", in_quotes(shape));
-    variables.number("has_constants", std::ranges::any_of(kernels.at("rows"), [&](const auto& row) {
-                         return row.at("shape") == shape && row.at("method") == "textbook with its constants";
-                     }));
+    variables.number("slowest", slowest);
+    std::string shown, names, several;
+    for (const auto& [color, one] : colors) {
+        shown += fmt::format("{} ", color);
+        names += in_quotes(one.look) + " ";
+        if (one.methods > 1) several += fmt::format("{} ", color);
+    }
+    variables.literal("colors", in_quotes(shown));
+    variables.literal("names", '"' + names + '"');
+    variables.literal("several", in_quotes(several));
     return plot("kernels_" + shape, 700, 560, variables, "kernels", "kernels.csv",
                 fmt::format("Time a call and error of t for the methods of intersecting a ray with a {}; a "
                             "dashed line is the demand of 8 κu.",
@@ -228,8 +251,8 @@ ReportPlot leave_out_plot(const ReportData& rows) {
 std::vector<ReportPlot> report_plots(const ReportData& data) {
     std::vector<ReportPlot> plots;
     if (data.contains("kernels")) {
-        plots.push_back(kernel_plot(data.at("kernels"), "sphere"));
-        plots.push_back(kernel_plot(data.at("kernels"), "triangle"));
+        for (const auto& family : data.at("kernels").at("families"))
+            plots.push_back(kernel_plot(data.at("kernels"), family.at("shape")));
         plots.push_back(map_plot(data.at("kernels")));
     }
     if (data.contains("pictures")) {

@@ -41,11 +41,11 @@ struct Table {
 
 ReportFile kernel_table(const ReportData& kernels) {
     Table table({"shape", "method", "number", "ns", "error_median", "error_9999", "error_max", "cases",
-                 "wrong", "undecided"});
+                 "wrong", "undecided", "color"});
     for (const auto& row : kernels.at("rows"))
         table.row({row.at("shape"), row.at("method"), row.at("number"), row.at("ns"), row.at("error_median"),
                    row.at("error_9999"), row.at("error_max"), row.at("cases"), row.at("wrong"),
-                   row.at("undecided")});
+                   row.at("undecided"), row.at("color")});
     return {"kernels.csv", table.text};
 }
 

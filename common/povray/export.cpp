@@ -61,12 +61,13 @@ void write_objects(Writer& out) {
     const Expression& expression = expression_of(scene);
     if (!expression.object) return;
     std::vector<bool> written(scene.meshes.size(), false);
-    for (const Object& object : scene.objects) {
-        const auto* shown = std::get_if<MeshObject>(&object.shape);
-        if (!shown || written[shown->mesh]) continue;
-        written[shown->mesh] = true;
-        write_mesh(out, shown->mesh);
-    }
+    for (const std::vector<Object>* objects : {&scene.objects, &scene.parts})
+        for (const Object& object : *objects) {
+            const auto* shown = std::get_if<MeshObject>(&object.shape);
+            if (!shown || written[shown->mesh]) continue;
+            written[shown->mesh] = true;
+            write_mesh(out, shown->mesh);
+        }
     write_sky(out);
     for (const Object& object : scene.objects) out.line("{}", expression.object(scene, object));
 }

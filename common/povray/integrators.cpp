@@ -18,15 +18,6 @@ Vec3 scene_background(const Scene& scene) { return scene.background; }
 
 void write_nothing(Writer&) {}
 
-std::string transform_of(const Scene& scene, const Object& object) {
-    if (object.transform < 0) return "";
-    const Mat4 m = matrix_of(scene, object.transform);
-    std::string text = " matrix <";
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 3; ++row) text += (column + row == 0 ? "" : ", ") + number(m[column][row]);
-    return text + ">";
-}
-
 /// Shape, transform and texture, in this order, because checkers are solid in world space.
 std::string textured(const Scene& scene, const Object& object, const std::string& texture) {
     return open_statement(scene, object) + transform_of(scene, object) + " texture { " + texture + " }";

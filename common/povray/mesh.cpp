@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <map>
 #include <string_view>
-#include <tuple>
 
 namespace rt::povray {
 namespace {
@@ -56,12 +54,17 @@ Indices indices_of(const Mesh& mesh, std::int32_t Mesh::Corner::*member, std::ve
     return indices;
 }
 
-/// Whether the eye may be inside a transparent object of this mesh.
-bool is_around_eye(const Scene& scene, std::size_t mesh) {
-    return std::ranges::any_of(scene.objects, [&](const Object& object) {
+/// Whether it matters what is inside the mesh: it is part of another solid, or the eye may be inside a
+/// transparent object of it.
+bool needs_inside(const Scene& scene, std::size_t mesh) {
+    const auto shows = [&](const Object& object) {
         const auto* shown = std::get_if<MeshObject>(&object.shape);
-        return shown && shown->mesh == mesh && is_glass(scene, object) && may_surround_eye(scene, object);
-    });
+        return shown && shown->mesh == mesh;
+    };
+    const auto is_around_eye = [&](const Object& object) {
+        return shows(object) && is_glass(scene, object) && may_surround_eye(scene, object);
+    };
+    return std::ranges::any_of(scene.parts, shows) || std::ranges::any_of(scene.objects, is_around_eye);
 }
 
 }  // namespace
@@ -94,25 +97,9 @@ void write_mesh(Writer& out, std::size_t index) {
     });
     if (!normals.empty()) write_indices(out, "normal_indices", normal_indices);
     if (uv) write_indices(out, "uv_indices", uv_indices);
-    // Any direction in general position, to tell whether the eye is inside.
-    if (is_around_eye(out.scene, index)) out.line("  inside_vector <0.41, 0.83, 0.37>");
+    // Any direction in general position, to tell what is inside.
+    if (needs_inside(out.scene, index)) out.line("  inside_vector <0.41, 0.83, 0.37>");
     out.line("}}\n");
-}
-
-bool is_closed(const Mesh& mesh) {
-    std::map<std::tuple<Real, Real, Real>, std::size_t> places;
-    const auto place = [&](const Mesh::Corner& corner) {
-        const Vec3& p = mesh.positions[static_cast<std::size_t>(corner.position)];
-        return places.try_emplace({p.x + 0, p.y + 0, p.z + 0}, places.size()).first->second;
-    };
-    std::map<std::pair<std::size_t, std::size_t>, bool> edges;  // whether the number is odd so far
-    for (const Face& face : mesh.triangles)
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t a = place(face[i]), b = place(face[(i + 1) % 3]);
-            bool& odd = edges[{std::min(a, b), std::max(a, b)}];
-            odd = !odd;
-        }
-    return std::ranges::none_of(edges, [](const auto& edge) { return edge.second; });
 }
 
 }  // namespace rt::povray

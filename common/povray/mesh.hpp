@@ -10,7 +10,4 @@ namespace rt::povray {
 /// Declares the scene's mesh of that index, as `Mesh0`.
 void write_mesh(Writer& out, std::size_t index);
 
-/// Whether each edge belongs to an even number of faces.
-bool is_closed(const Mesh& mesh);
-
 }  // namespace rt::povray

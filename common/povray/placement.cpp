@@ -37,7 +37,7 @@ Mat4 matrix_of(const Rotate& turn) {
     return m;
 }
 
-std::array<Vec3, 8> corners_of(const Box& box) {
+std::array<Vec3, 8> corners_of(const Extent& box) {
     std::array<Vec3, 8> corners;
     for (unsigned k = 0; k < 8; ++k)
         for (int i = 0; i < 3; ++i) corners[k][i] = (k >> i & 1 ? box.high : box.low)[i];
@@ -61,16 +61,25 @@ Mat4 matrix_of(const Scene& scene, int node) {
     return m;
 }
 
-Box box_of(const Scene& scene, const Object& object) {
-    return box_of(scene, object, matrix_of(scene, object.transform));
+std::string transform_of(const Scene& scene, const Object& object) {
+    if (object.transform < 0) return "";
+    const Mat4 m = matrix_of(scene, object.transform);
+    std::string text = " matrix <";
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) text += (column + row == 0 ? "" : ", ") + number(m[column][row]);
+    return text + ">";
+}
+
+Extent extent_of(const Scene& scene, const Object& object) {
+    return extent_of(scene, object, matrix_of(scene, object.transform));
 }
 
 bool may_overlap(const Scene& scene, const Object& a, const Object& b) {
     const Sphere *ball_a = ball_of(a), *ball_b = ball_of(b);
     if (ball_a && ball_b)
         return glm::length(ball_a->center - ball_b->center) <= ball_a->radius + ball_b->radius;
-    return may_reach(scene, a, corners_of(box_of(scene, b))) &&
-           may_reach(scene, b, corners_of(box_of(scene, a)));
+    return may_reach(scene, a, corners_of(extent_of(scene, b))) &&
+           may_reach(scene, b, corners_of(extent_of(scene, a)));
 }
 
 bool is_ball_within(const Object& inner, const Object& outer) {
@@ -79,7 +88,7 @@ bool is_ball_within(const Object& inner, const Object& outer) {
 }
 
 bool surrounds(const Scene& scene, const Object& object, const Vec3& p) {
-    return contains(object, Vec3(glm::inverse(matrix_of(scene, object.transform)) * Vec4(p, 1)));
+    return contains(scene, object, Vec3(glm::inverse(matrix_of(scene, object.transform)) * Vec4(p, 1)));
 }
 
 bool surrounds_eye(const Scene& scene, const Object& object) {

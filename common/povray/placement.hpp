@@ -8,8 +8,11 @@ namespace rt::povray {
 /// The matrix of a node of the transform tree: its parents' steps on the left of its own; −1 is the identity.
 Mat4 matrix_of(const Scene& scene, int node);
 
+/// The object's transform as ` matrix <...>`; empty where it has none.
+std::string transform_of(const Scene& scene, const Object& object);
+
 /// The object's box in world space; infinite for a plane.
-Box box_of(const Scene& scene, const Object& object);
+Extent extent_of(const Scene& scene, const Object& object);
 
 /// Whether two bodies may have a part in common.
 bool may_overlap(const Scene& scene, const Object& a, const Object& b);

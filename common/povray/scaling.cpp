@@ -56,6 +56,7 @@ void scale_world(Scene& scene, Real factor) {
     for (TransformNode& node : scene.transforms)
         if (auto* move = std::get_if<Translate>(&node.step)) move->by *= factor;
     for (Object& object : scene.objects) scale(scene, object, factor);
+    for (Object& part : scene.parts) scale(scene, part, factor);
     for (Light& light : scene.lights)
         if (auto* point = std::get_if<PointLight>(&light)) {
             point->position *= factor;
@@ -77,9 +78,10 @@ void size_mesh(Scene& scene, std::size_t index) {
     const Real factor = mesh.positions.empty() ? 1 : factor_for(glm::length(high - low));
     if (factor == 1) return;
     for (Vec3& p : mesh.positions) p *= factor;
-    for (Object& object : scene.objects)
-        if (const auto* shown = std::get_if<MeshObject>(&object.shape); shown && shown->mesh == index)
-            shrink(scene, object, factor);
+    for (std::vector<Object>* objects : {&scene.objects, &scene.parts})
+        for (Object& object : *objects)
+            if (const auto* shown = std::get_if<MeshObject>(&object.shape); shown && shown->mesh == index)
+                shrink(scene, object, factor);
 }
 
 /// The same for a transformed shape of its own numbers.
@@ -123,6 +125,7 @@ Scene scaled(Scene scene, Real factor) {
     if (factor != 1) scale_world(scene, factor);
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) size_mesh(scene, i);
     for (Object& object : scene.objects) size_shape(scene, object);
+    for (Object& part : scene.parts) size_shape(scene, part);
     return scene;
 }
 

@@ -10,7 +10,7 @@
 namespace rt::povray {
 
 /// A box along the axes; without a point inside where `low` is greater.
-struct Box {
+struct Extent {
     Vec3 low{infinity};
     Vec3 high{-infinity};
 };
@@ -22,7 +22,7 @@ std::string open_statement(const Scene& scene, const Object& object);
 std::string with_uv(const Scene& scene, const Object& object, const std::string& transform);
 
 /// The box of the shape after `m`; infinite for a shape without an end.
-Box box_of(const Scene& scene, const Object& object, const Mat4& m);
+Extent extent_of(const Scene& scene, const Object& object, const Mat4& m);
 
 /// The least length that is to be told from nothing after `m`; 0 where there is none.
 Real least_length_of(const Scene& scene, const Object& object, const Mat4& m);
@@ -36,13 +36,13 @@ bool may_reach(const Scene& scene, const Object& object, const Mat4& m, std::spa
 /// The shape's size in its own space; 0 where it has none, or none that `scale` changes.
 Real own_size(const Scene& scene, const Object& object);
 
-/// Multiplies the shape's own lengths; vertices may be shared, so it gets new ones. Meshes are scaled by
-/// themselves (scaling.cpp).
+/// Multiplies the shape's own lengths; vertices may be shared, so it gets new ones. Meshes, and the
+/// parts of combinations, are scaled by themselves (scaling.cpp).
 void scale(Scene& scene, Object& object, Real factor);
 
 /// Whether `p`, in the shape's own space, is inside of it for POV-Ray, whose meshes have no inside unless
 /// they are told of one.
-bool contains(const Object& object, const Vec3& p);
+bool contains(const Scene& scene, const Object& object, const Vec3& p);
 
 /// Whether a ray inside may go on for ever: the box is infinite, or a mesh not closed.
 bool is_endless(const Scene& scene, const Object& object);

@@ -3,6 +3,7 @@
 
 #include "chapters/01_ray_casting/camera.hpp"
 #include "common/render/accelerate.hpp"
+#include "common/render/combinations.hpp"
 #include "common/render/eye_inside.hpp"
 #include "common/render/object_limits.hpp"
 #include "common/render/primitives.hpp"
@@ -94,10 +95,13 @@ void derive_needs(const Scene& scene, World& world) {
             return !scene.meshes[m->mesh].normals.empty();
         return false;
     };
-    needs.normals = (integrator.normals || needs.lights || needs.reflection || needs.refraction) &&
-                    std::any_of(scene.objects.begin(), scene.objects.end(), is_smooth);
+    needs.normals =
+        (integrator.normals || needs.lights || needs.reflection || needs.refraction) &&
+        (std::ranges::any_of(scene.objects, is_smooth) || std::ranges::any_of(scene.parts, is_smooth));
     needs.uvs = integrator.uvs;
 }
+
+using rt::crossings_of;  // of a combination
 
 /// How often a line can cross the surface of a shape, at most.
 template <class Shape>

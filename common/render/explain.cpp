@@ -115,11 +115,15 @@ void explain_lights(const Scene& scene, const World& world, Explanation& explana
                                                 : "black"});
 }
 
+bool is_transformed(const Scene& scene) {
+    const auto has_one = [](const Object& object) { return object.transform >= 0; };
+    return std::ranges::any_of(scene.objects, has_one) || std::ranges::any_of(scene.parts, has_one);
+}
+
 void explain_features(const Scene& scene, const World& world, Explanation& explanation) {
     const Needs& needs = world.needs;
     Sorter sort{explanation};
-    const bool transformed = std::any_of(scene.objects.begin(), scene.objects.end(),
-                                         [](const Object& object) { return object.transform >= 0; });
+    const bool transformed = is_transformed(scene);
     sort.feature(needs.transforms, "matrices",
                  "some shapes cannot take their transform into their own numbers",
                  transformed ? "every transform is baked into its shape" : "no object is transformed");
@@ -150,20 +154,26 @@ void explain_features(const Scene& scene, const World& world, Explanation& expla
     if (!needs.accelerators) explanation.left_out.push_back({"grids", why_no_accelerator(scene, world)});
 }
 
+template <class Shape>
+void add_chapters(std::vector<std::string>& chapters) {
+    for (const std::string_view step : words<Shape>.steps)
+        if (!step.empty()) chapters.emplace_back(step.substr(0, 2));
+}
+
 std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
     std::vector<std::string> chapters{"01", std::string(row_of(scene.integrator).chapter)};
     for (const AnyGroup& any : world.groups)
         std::visit(
-            [&]<class Shape>(const Group<Shape>&) {
-                for (const std::string_view step : words<Shape>.steps)
-                    if (!step.empty()) chapters.emplace_back(step.substr(0, 2));
+            [&]<class Shape>(const Group<Shape>& group) {
+                add_chapters<Shape>(chapters);
+                if constexpr (std::is_same_v<Shape, Combination>)
+                    for (const Combination& tree : group.shapes)
+                        for (const Combination::Part& part : tree.parts)
+                            std::visit([&]<class Part>(const Part&) { add_chapters<Part>(chapters); },
+                                       part.solid);
             },
             any);
-    for (const Object& object : scene.objects)
-        if (object.transform >= 0 && !world.groups.empty()) {
-            chapters.emplace_back("04");
-            break;
-        }
+    if (is_transformed(scene) && !world.groups.empty()) chapters.emplace_back("04");
     const Needs& needs = world.needs;
     const bool recursion = needs.reflection || needs.refraction;
     if (needs.lights || recursion) chapters.emplace_back("05");

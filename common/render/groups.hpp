@@ -9,6 +9,17 @@
 
 namespace rt {
 
+/// As std::visit, which of more than eleven alternatives reads the address of a function from a table: here
+/// they are asked for one by one, the oldest first, and what is done with each is in the function that asks.
+template <std::size_t first = 0, class Use>
+decltype(auto) visit_group(const AnyGroup& any, const Use& use) {
+    if constexpr (first + 1 < std::variant_size_v<AnyGroup>)
+        if (any.index() != first) return visit_group<first + 1>(any, use);
+    const auto* group = std::get_if<first>(&any);
+    if (!group) __builtin_unreachable();
+    return use(*group);
+}
+
 /// The group's shapes. Their number comes from the indices, which are as many: to divide by the size of four
 /// bytes is a shift.
 template <class Shape>

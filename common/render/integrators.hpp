@@ -19,7 +19,10 @@ using HitColor = Vec3 (*)(const World&, const Ray&, const Hit&);
 /// nothing but the nearest hit (`hit_alone` in common/scene/integrators.hpp).
 HitColor hit_color_function(const World& world);
 
-/// `n` if it points against the ray's direction d, else −n.
-inline Vec3 turned_to_viewer(const Vec3& n, const Vec3& d) { return dot(n, d) > 0 ? -n : n; }
+/// `n` if it points against the ray's direction d, else −n. Always part of its caller, however many kinds of
+/// shapes there are, each of which has a copy.
+[[gnu::always_inline]] inline Vec3 turned_to_viewer(const Vec3& n, const Vec3& d) {
+    return dot(n, d) > 0 ? -n : n;
+}
 
 }  // namespace rt

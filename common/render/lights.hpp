@@ -6,7 +6,8 @@
 namespace rt {
 
 /// Which part of a light arrives at the surface.
-inline Vec3 visible_part(const World& world, const Surface& surface, const LightSample& light) {
+[[gnu::always_inline]] inline Vec3 visible_part(const World& world, const Surface& surface,
+                                                const LightSample& light) {
     if (!world.needs.shadows) return Vec3(1);
     ++ray_counts().shadow;
     const ShadowRay shadow = shadow_ray(surface, light);
@@ -20,7 +21,7 @@ inline Vec3 visible_part(const World& world, const Surface& surface, const Light
 template <class Visit>
 [[gnu::always_inline]] inline void visit_lights(const World& world, const Surface& surface,
                                                 const Vec3& normal, Visit visit) {
-    const auto ask = [&](const LightSample& light) {
+    const auto ask = [&](const LightSample& light) __attribute__((always_inline)) {
         if (dot(normal, light.direction) > 0) visit(light, visible_part(world, surface, light));
     };
     for (const PointLight& light : world.point_lights) ask(sample_light(light, surface.point));
@@ -32,11 +33,13 @@ template <class Visit>
                                                  const Material& material, const Vec3& normal,
                                                  const Vec3& to_viewer) {
     Vec3 sum = emitted_light(material);
-    visit_lights(world, surface, normal, [&](const LightSample& light, const Vec3& visible) {
-        // A light that something hides is not worked out. Where it is seen, the first comparison says so.
-        if (visible.x > 0 || visible.y > 0 || visible.z > 0)
-            sum += reflected_light(material, normal, to_viewer, light, visible);
-    });
+    visit_lights(
+        world, surface,
+        normal, [&](const LightSample& light, const Vec3& visible) __attribute__((always_inline)) {
+            // A light that something hides is not worked out. Where it is seen, the first comparison says so.
+            if (visible.x > 0 || visible.y > 0 || visible.z > 0)
+                sum += reflected_light(material, normal, to_viewer, light, visible);
+        });
     return sum;
 }
 

@@ -35,9 +35,9 @@ public:
     /// A mesh that instances share must be in range in its own space, too, and so its image.
     void check_instance(const Transform& map, const Sphere& bound) const;
 
-private:
     [[noreturn]] void fail(const std::string& what) const { refuse(scene, object.place, what); }
 
+private:
     const Scene& scene;
     const Object& object;
 };

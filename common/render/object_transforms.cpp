@@ -32,7 +32,8 @@ Mat4 checked_inverse(const Scene& scene, const TransformNode& node, const Mat4& 
 
 ObjectTransforms::ObjectTransforms(const Scene& of) : scene(of) {
     const auto transformed = [](const Object& object) { return object.transform >= 0; };
-    if (std::none_of(scene.objects.begin(), scene.objects.end(), transformed)) return;
+    if (std::ranges::none_of(scene.objects, transformed) && std::ranges::none_of(scene.parts, transformed))
+        return;
     matrix = compose(scene.transforms);
     inverse.resize(scene.transforms.size());
     for (const TransformNode& node : scene.transforms) {

@@ -2,10 +2,12 @@
 #include "common/render/primitives.hpp"
 
 #include "common/render/bodies.hpp"
+#include "common/render/combinations.hpp"
 #include "common/render/faces.hpp"
 #include "common/render/groups.hpp"
 #include "common/render/object_limits.hpp"
 #include "common/render/object_transforms.hpp"
+#include "common/scene/closed_mesh.hpp"
 #include "common/scene/range.hpp"
 
 #include <algorithm>
@@ -25,6 +27,11 @@ constexpr bool is_in(List<Listed...>) {
     return (std::is_same_v<Shape, Listed> || ...);
 }
 
+template <class Shape, class... Listed>
+constexpr bool is_solid(std::type_identity<std::variant<Listed...>>) {
+    return is_in<Shape>(List<Listed...>());
+}
+
 template <class>
 struct AllGroups;
 template <class... Shape>
@@ -35,7 +42,12 @@ struct AllGroups<List<Shape...>> {
 /// Fills a world from a scene's objects, each kind of shape in a group of its own.
 struct PrimitiveBuilder {
     PrimitiveBuilder(const Scene& from, World& to)
-        : scene(from), world(to), transforms(from), uses(from.meshes.size()), shared(from.meshes.size()) {
+        : scene(from),
+          world(to),
+          transforms(from),
+          uses(from.meshes.size()),
+          shared(from.meshes.size()),
+          outwards(from.meshes.size()) {
         if (to.needs.refraction || to.needs.colored_shadows) {
             Bodies found = bodies_of(from, to.needs.refraction);
             bodies = std::move(found.of);
@@ -86,6 +98,14 @@ struct PrimitiveBuilder {
     template <class Shape>
     void append(Shape shape) {
         static_assert(is_in<Shape>(Shapes()), "this shape is missing in Shapes (common/world/shapes.hpp)");
+        if (tree) {
+            // Shapes without an inside have been refused where the file was read.
+            if constexpr (is_solid<Shape>(std::type_identity<Solid>())) {
+                if constexpr (requires { shape.transform; }) world.needs.transforms = true;
+                add_part(*tree, std::move(shape), part_is_taken_away);
+                return;
+            }
+        }
         append(std::get<Group<Shape>>(groups), std::move(shape));
     }
 
@@ -179,7 +199,8 @@ struct PrimitiveBuilder {
     void add(const MeshObject& shown) {
         const Mesh& mesh = scene.meshes[shown.mesh];
         const bool too_flat = transform && !(flattening_of(*transform) <= 3 * most_flattening_of_instance);
-        if (uses[shown.mesh] == 1 || too_flat) {
+        if (tree) check_part(shown.mesh, too_flat);
+        if (!tree && (uses[shown.mesh] == 1 || too_flat)) {
             for (const auto& corners : mesh.triangles) add(face_of(mesh, corners));
             return;
         }
@@ -193,16 +214,65 @@ struct PrimitiveBuilder {
         append(instance);
     }
 
+    void add(const CombinationObject& whole) {
+        Combination made;
+        tree = &made;
+        add_parts(whole, false);
+        find_common_planes(made);
+        tree = nullptr;
+        const Bounds box = bounds_of(made);
+        if (box.low.x > box.high.x)
+            limits().fail("nothing is left of this solid: what is intersected here has nothing in common");
+        if (size_of(box.low) == infinity || size_of(box.high) == infinity)
+            limits().fail(
+                "a solid without an end: what is made of planes must be intersected with something else");
+        append_checked(made);
+    }
+
+    /// Adds the parts to the tree, and joins them; returns what the tree calls the whole.
+    std::int32_t add_parts(const CombinationObject& whole, bool is_taken_away) {
+        const Object* const outer = object;
+        std::vector<std::int32_t> solids;
+        for (const std::uint32_t part : whole.parts) {
+            object = &scene.parts[part];
+            transform = transforms.of(*object);
+            part_is_taken_away =
+                is_taken_away != (whole.operation == SetOperation::Difference && !solids.empty());
+            if (const auto* inner = std::get_if<CombinationObject>(&object->shape)) {
+                solids.push_back(add_parts(*inner, part_is_taken_away));
+                continue;
+            }
+            std::visit([&](const auto& shape) { add(shape); }, object->shape);
+            solids.push_back(static_cast<std::int32_t>(tree->parts.size()) - 1);
+        }
+        object = outer;
+        return join(*tree, whole.operation, solids);
+    }
+
+    /// Refuses a mesh that is no solid.
+    void check_part(std::uint32_t mesh, bool too_flat) {
+        if (too_flat) limits().fail("a mesh that is flattened too much to be part of another solid");
+        if (!outwards[mesh]) outwards[mesh] = looks_outwards(scene.meshes[mesh]);
+        if (!*outwards[mesh])
+            limits().fail(
+                "a mesh that encloses nothing cannot be part of a solid: each edge must have a face on "
+                "either side, and all faces must look outwards");
+    }
+
     const Scene& scene;
     World& world;
     ObjectTransforms transforms;
     std::vector<std::size_t> uses;                    ///< how many objects show each mesh
     std::vector<std::shared_ptr<SharedMesh>> shared;  ///< each mesh that several do
+    std::vector<std::optional<bool>> outwards;        ///< whether each mesh looks outwards; asked for once
 
     std::vector<std::uint32_t> bodies;  ///< as Bodies::of
 
     const Object* object = nullptr;      ///< the one being added,
     std::optional<Transform> transform;  ///< and its transform
+
+    Combination* tree = nullptr;      ///< whose parts are being added, if any are,
+    bool part_is_taken_away = false;  ///< and on which side of it the part is
 
     AllGroups<Shapes>::Tuple groups;
     Group<Triangle> smooth;

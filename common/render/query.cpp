@@ -17,17 +17,15 @@ template <bool accelerators>
 [[gnu::noinline]] std::optional<Hit> closest_of_several(const World& world, const Ray& ray, Interval range) {
     std::optional<Hit> best;
     for (const AnyGroup& any : world.groups) {
-        std::visit(
-            [&](const auto& group) {
-                std::optional<Hit> hit =
-                    accelerators ? closest_in(group, ray, range) : closest_hit(shapes_of(group), ray, range);
-                if (!hit) return;
-                hit->primitive = group.primitive[hit->primitive];
-                // Hits at exactly range.max are reported too, so here the file's order decides.
-                if (!best || hit->t < best->t || hit->primitive < best->primitive) best = hit;
-                range.max = best->t;
-            },
-            any);
+        visit_group(any, [&](const auto& group) {
+            std::optional<Hit> hit =
+                accelerators ? closest_in(group, ray, range) : closest_hit(shapes_of(group), ray, range);
+            if (!hit) return;
+            hit->primitive = group.primitive[hit->primitive];
+            // Hits at exactly range.max are reported too, so here the file's order decides.
+            if (!best || hit->t < best->t || hit->primitive < best->primitive) best = hit;
+            range.max = best->t;
+        });
     }
     return best;
 }
@@ -38,7 +36,7 @@ template <bool accelerators>
         return accelerators ? any_in(group, ray, range) : any_hit(shapes_of(group), ray, range);
     };
     for (const AnyGroup& any : world.groups)
-        if (std::visit(ask, any)) return true;
+        if (visit_group(any, ask)) return true;
     return false;
 }
 
@@ -73,8 +71,8 @@ std::optional<Hit> closest_hit(const World& world, const Ray& ray, Interval rang
     if (world.needs.accelerators) return closest_of_several<true>(world, ray, range);
     if (world.groups.size() != 1) return closest_of_several<false>(world, ray, range);
     // One group holds all the primitives in the order of the file: its answer is the world's.
-    return std::visit([&](const auto& group) { return closest_hit(shapes_of(group), ray, range); },
-                      world.groups.front());
+    return visit_group(world.groups.front(),
+                       [&](const auto& group) { return closest_hit(shapes_of(group), ray, range); });
 }
 
 std::optional<Hit> next_hit(const World& world, const Ray& ray, const Hit& last, Interval range) {
@@ -85,8 +83,8 @@ std::optional<Hit> next_hit(const World& world, const Ray& ray, const Hit& last,
 bool occluded(const World& world, const Ray& ray, Interval range) {
     if (world.needs.accelerators) return any_of_several<true>(world, ray, range);
     if (world.groups.size() != 1) return any_of_several<false>(world, ray, range);
-    return std::visit([&](const auto& group) { return any_hit(shapes_of(group), ray, range); },
-                      world.groups.front());
+    return visit_group(world.groups.front(),
+                       [&](const auto& group) { return any_hit(shapes_of(group), ray, range); });
 }
 
 std::optional<Hit> closest_hit(const SharedMesh& mesh, const Ray& local, Interval range) {
@@ -99,10 +97,23 @@ bool occluded(const SharedMesh& mesh, const Ray& local, Interval range) {
     return any_hit(std::span<const Triangle>(mesh.triangles.shapes), local, range);
 }
 
+std::vector<Hit> all_hits(const SharedMesh& mesh, const Ray& local) {
+    std::vector<Hit> hits;
+    const Group<Triangle>& triangles = mesh.triangles;
+    std::visit(
+        [&](const auto& accelerator) {
+            append_hits(accelerator, std::span<const Triangle>(triangles.shapes), local,
+                        {-infinity, infinity}, mailbox_of(triangles.mailbox), hits);
+        },
+        triangles.accelerator);
+    return hits;
+}
+
 Surface surface_at(const World& world, const Ray& ray, const Hit& hit) {
     const Primitive& primitive = world.primitives[hit.primitive];
-    return std::visit([&](const auto& group) { return surface_in(world, group, primitive.index, ray, hit); },
-                      world.groups[primitive.group]);
+    return visit_group(world.groups[primitive.group], [&](const auto& group) {
+        return surface_in(world, group, primitive.index, ray, hit);
+    });
 }
 
 std::uint32_t material_index(const World& world, const Hit& hit, const Surface& surface) {

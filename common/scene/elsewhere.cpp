@@ -2,6 +2,8 @@
 // Spelling finds what is misspelt (suggest.hpp); these tables find what is called otherwise.
 #include "common/scene/elsewhere.hpp"
 
+#include "common/scene/suggest.hpp"
+
 #include <algorithm>
 
 namespace rt {
@@ -121,18 +123,6 @@ struct Later {
 };
 
 constexpr Later later[] = {
-    {"box", "10"},
-    {"disc", "10"},
-    {"cylinder", "10"},
-    {"cone", "10"},
-    {"openCylinder", "10"},
-    {"openCone", "10"},
-    {"torus", "10"},
-    {"quadric", "10"},
-    {"implicit", "10"},
-    {"union", "10"},
-    {"intersection", "10"},
-    {"difference", "10"},
     {"texture", "11"},
     {"environment", "11"},
     {"quadLight", "12"},
@@ -159,19 +149,16 @@ constexpr Later later[] = {
     {"roughness", "14"},
 };
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-bool same(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char x, char y) { return lower(x) == lower(y); });
+bool same_word(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_letter);
 }
 
 template <std::size_t N>
 std::string meaning(std::string_view word, const Synonym (&synonyms)[N]) {
     for (const auto& [other, here] : synonyms)
-        if (same(word, other)) return "; did you mean '" + std::string(here) + "'?";
+        if (same_word(word, other)) return "; did you mean '" + std::string(here) + "'?";
     for (const auto& [other, chapter] : later)
-        if (same(word, other)) return "; it comes with chapter " + std::string(chapter);
+        if (same_word(word, other)) return "; it comes with chapter " + std::string(chapter);
     return "";
 }
 

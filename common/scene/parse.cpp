@@ -106,6 +106,7 @@ Scene parse_scene_text(std::string_view text, const std::string& name, const std
         parse_line(parser);
     }
     require_camera(parser);
+    require_closed_combinations(parser);
     require_adaptable_sampler(parser);
     if (parser.integrator_rasterizes) parser.scene.visibility = Visibility::Rasterize;
     return std::move(parser.scene);

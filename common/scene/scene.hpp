@@ -83,7 +83,8 @@ struct TransformNode {
     SourcePlace place;
 };
 
-/// One object of the file, with the material and transform in force where it stands.
+/// One object of the file, with the material and transform in force where it stands. A combination has no
+/// transform of its own: its parts have theirs.
 struct Object {
     FileShape shape;
     std::uint32_t material = 0;  ///< index into Scene::materials
@@ -138,6 +139,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<TransformNode> transforms;
     std::vector<Object> objects;
+    std::vector<Object> parts;  ///< what combinations are made of; theirs stand before them
     std::vector<Light> lights;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/math/vec.hpp"
+#include "common/scene/formula.hpp"
 
 #include <array>
 #include <cstdint>
@@ -36,6 +37,59 @@ struct Polygon {
     std::vector<Vec3> vertices;
 };
 
+/// All points p with low ≤ p ≤ high in each coordinate; low < high in each.
+struct Box {
+    Vec3 low{-1};
+    Vec3 high{1};
+};
+
+/// The points of a plane that are no farther than `radius` > 0 from `center`. `normal` need not be a unit
+/// vector; not zero.
+struct Disc {
+    Vec3 center{0};
+    Vec3 normal{0, 1, 0};
+    Real radius = 1;
+};
+
+/// A round solid about the axis from a to b, a ≠ b: straight from radius_a at a to radius_b at b, with flat
+/// ends. One radius may be 0, which is an apex; a cylinder has two equal ones.
+struct Cone {
+    Vec3 a{0};
+    Real radius_a = 1;
+    Vec3 b{0, 1, 0};
+    Real radius_b = 0;
+};
+
+/// The side of a cone or cylinder alone, without its ends: a surface that has no inside.
+struct OpenCone {
+    Cone cone;
+};
+
+/// All points that are no farther than `tube` > 0 from a ring: a circle of radius `ring` > 0 around `center`,
+/// across `axis`, which need not be a unit vector; not zero. Where tube = ring, the hole is one point, and
+/// where it is greater, there is no hole, but a dimple at either end of the axis.
+struct Torus {
+    Vec3 center{0};
+    Vec3 axis{0, 1, 0};
+    Real ring = 1;
+    Real tube = 0.25;
+};
+
+/// All points in the box with f = 0. The box is no part of the surface, which is open where it ends there.
+struct Implicit {
+    Box box;
+    SharedFormula f;  ///< not null
+};
+
+/// All points in the box with A·x² + B·y² + C·z² + D·xy + E·xz + F·yz + G·x + H·y + I·z + J = 0.
+struct Quadric {
+    Vec3 squares{1};  ///< A, B, C
+    Vec3 mixed{0};    ///< D, E, F
+    Vec3 linear{0};   ///< G, H, I
+    Real constant = -1;
+    Box box;
+};
+
 /// Triangles that share vertices, as a `.obj` file gives them.
 struct Mesh {
     /// Indices of one corner: position, and −1 where the file gives no normal or texture coordinate.
@@ -68,8 +122,18 @@ struct MeshObject {
     std::uint32_t mesh = 0;
 };
 
+/// How solids are put together: what is in any of them, in all of them, or in the first but in no other.
+enum class SetOperation : std::uint8_t { Union, Intersection, Difference };
+
+/// `union`, `intersection`, `difference`: the solids up to its `end`, in order; indices into Scene::parts.
+struct CombinationObject {
+    SetOperation operation = SetOperation::Union;
+    std::vector<std::uint32_t> parts;
+};
+
 /// What an object of a file can be.
-using FileShape = std::variant<Sphere, Plane, TriangleObject, PolygonObject, MeshObject>;
+using FileShape = std::variant<Sphere, Plane, TriangleObject, PolygonObject, MeshObject, Box, Disc, Cone,
+                               OpenCone, Torus, Implicit, Quadric, CombinationObject>;
 
 /// What everybody has to know of a shape of a file.
 struct FileShapeWords {
@@ -91,6 +155,22 @@ template <>
 inline constexpr FileShapeWords file_words<PolygonObject>{"polygon", false};
 template <>
 inline constexpr FileShapeWords file_words<MeshObject>{"mesh", true};
+template <>
+inline constexpr FileShapeWords file_words<Box>{"box", true};
+template <>
+inline constexpr FileShapeWords file_words<Disc>{"disc", false};
+template <>
+inline constexpr FileShapeWords file_words<Cone>{"cone or cylinder", true};
+template <>
+inline constexpr FileShapeWords file_words<OpenCone>{"open cone or cylinder", false};
+template <>
+inline constexpr FileShapeWords file_words<Torus>{"torus", true};
+template <>
+inline constexpr FileShapeWords file_words<Implicit>{"implicit surface", true};
+template <>
+inline constexpr FileShapeWords file_words<Quadric>{"quadric", true};
+template <>
+inline constexpr FileShapeWords file_words<CombinationObject>{"combination of solids", true};
 
 /// The words of an object's shape.
 inline const FileShapeWords& words_of(const FileShape& shape) {

@@ -11,17 +11,16 @@ namespace rt {
 
 namespace {
 
-/// Independent of the locale, unlike std::tolower.
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-bool same(char a, char b) { return lower(a) == lower(b); }
 
 bool begins_with(std::string_view name, std::string_view beginning) {
     return name.size() >= beginning.size() &&
-           std::equal(beginning.begin(), beginning.end(), name.begin(), same);
+           std::equal(beginning.begin(), beginning.end(), name.begin(), same_letter);
 }
 
 }  // namespace
+
+bool same_letter(char a, char b) { return lower(a) == lower(b); }
 
 int edit_distance(std::string_view a, std::string_view b) {
     std::vector<int> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
@@ -31,9 +30,9 @@ int edit_distance(std::string_view a, std::string_view b) {
         above.swap(row);
         row[0] = static_cast<int>(i);
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const int replace = above[j - 1] + (same(a[i - 1], b[j - 1]) ? 0 : 1);
+            const int replace = above[j - 1] + (same_letter(a[i - 1], b[j - 1]) ? 0 : 1);
             row[j] = std::min({above[j] + 1, row[j - 1] + 1, replace});
-            if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]))
+            if (i > 1 && j > 1 && same_letter(a[i - 1], b[j - 2]) && same_letter(a[i - 2], b[j - 1]))
                 row[j] = std::min(row[j], before[j - 2] + 1);
         }
     }

@@ -8,6 +8,9 @@
 
 namespace rt {
 
+/// Whether they are the same but for upper and lower case, in every locale.
+bool same_letter(char a, char b);
+
 /// Number of letters to insert, delete, replace or swap with a neighbour to get from one word to the other,
 /// upper and lower case taken for the same (the optimal string alignment of Damerau 1964).
 int edit_distance(std::string_view a, std::string_view b);

@@ -17,8 +17,6 @@ namespace rt {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
-
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 /// Whether the '#' at `at` belongs to NaN or infinity as Microsoft's compilers print them: `1.#QNAN`,

@@ -16,6 +16,9 @@ struct ParsedNumber {
     std::string_view problem;  ///< continues "'word' …"; empty where all is well
 };
 
+/// Whether the character separates words.
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
+
 /// The whole word as a decimal number: `1`, `+1`, `.5`, `5.`, `1e-3`, correctly rounded, in the C locale
 /// whatever the program's. NaN, infinity and what a double cannot hold are problems.
 ParsedNumber parse_number(std::string_view word);
@@ -27,10 +30,9 @@ std::string quoted(std::string_view word);
 /// A value as a message shows it: the shortest decimal number that reads back as the same double.
 std::string shown(Real value);
 
-/// Fills `words` with the words of a line, up to a comment; they are parts of `line`. Words are separated by
-/// blanks, tabs, carriage returns and form feeds. A `#` begins a comment, but not in NaN and infinity as some
-/// compilers print them (`-1.#IND`). Returns the `#` of a comment that begins inside a word, else null: it
-/// deserves a warning, because `4#8` reads as 4.
+/// Fills `words` with the words of a line, up to a comment; they are parts of `line`. A `#` begins a comment,
+/// but not in NaN and infinity as some compilers print them (`-1.#IND`). Returns the `#` of a comment that
+/// begins inside a word, else null: it deserves a warning, because `4#8` reads as 4.
 const char* split_words(std::string_view line, std::vector<std::string_view>& words);
 
 /// What that warning says.

@@ -12,7 +12,7 @@ struct Hit {
     Real t = infinity;            ///< in units of |ray.direction|
     Vec2 uv{0};                   ///< triangles: weights of the corners b and c; else unused
     std::uint32_t primitive = 0;  ///< in a chapter: index into the span asked; in a World: order in the file
-    std::uint32_t element = 0;    ///< which triangle of an instanced mesh; else 0
+    std::uint32_t element = 0;    ///< which triangle of an instanced mesh, or face of a solid; else 0
 };
 
 /// The surface at a hit, in world space.

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace rt {
 
@@ -30,6 +31,10 @@ std::optional<Hit> closest_hit(const SharedMesh& mesh, const Ray& local, Interva
 
 /// Whether any triangle of the mesh is hit in the range, for a ray in the mesh's own space.
 bool occluded(const SharedMesh& mesh, const Ray& local, Interval range);
+
+/// A hit for each of the mesh's triangles that the line of the ray meets, in no order; also those with t ≤ 0.
+/// `Hit::primitive` is the triangle's index.
+std::vector<Hit> all_hits(const SharedMesh& mesh, const Ray& local);
 
 /// The surface at a hit that `closest_hit` returned for the same world and ray.
 Surface surface_at(const World& world, const Ray& ray, const Hit& hit);

@@ -2,12 +2,15 @@
 #pragma once
 
 #include "common/scene/shapes.hpp"
+#include "common/world/bounds.hpp"
 
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <string_view>
 #include <type_traits>
+#include <variant>
+#include <vector>
 
 namespace rt {
 
@@ -37,6 +40,35 @@ struct MeshUse {
 /// One of the objects that show a mesh.
 using Instance = Placed<MeshUse>;
 
+/// A shape that has an inside, where it stands: what combinations are made of.
+using Solid = std::variant<Plane, Sphere, Ellipsoid, Instance, Box, Placed<Box>, Cone, Placed<Cone>, Torus,
+                           Placed<Torus>, Implicit, Placed<Implicit>, Quadric, Placed<Quadric>>;
+
+/// Solids as one (constructive solid geometry): a tree, whose leaves are the parts. Its branches name part k
+/// as k and node k as ~k, which is negative. The whole is the last node or, without any, the only part.
+struct Combination {
+    /// A flat face of a part across an axis of the world, in the plane of another part's.
+    struct CommonPlane {
+        std::uint32_t element = 0;  ///< of the part
+        int axis = 0;               ///< 0, 1, 2 for x, y, z
+        Real place = 0;             ///< the plane's coordinate there
+    };
+    struct Part {
+        Solid solid;
+        std::uint32_t first_element = 0;  ///< Hit::element counts through those of all the parts
+        bool is_taken_away = false;       ///< what is inside the part is outside of the whole
+        Bounds bounds;                    ///< around it, wider by more than rounding; may be infinite
+        std::vector<CommonPlane> common_planes;
+    };
+    struct Node {
+        SetOperation operation = SetOperation::Union;
+        std::int32_t first = 0, second = 0;
+        Bounds bounds;  ///< as a part's
+    };
+    std::vector<Part> parts;
+    std::vector<Node> nodes;  ///< each after those that it is made of
+};
+
 template <class... Shape>
 struct List {};
 
@@ -48,12 +80,14 @@ struct List {};
 ///     works out once a ray what all of them need, and `transformed` takes a transform into the shape's own
 ///     numbers; where there is none, a transform makes it a Placed<Shape>, which is another word in this
 ///     list.
-using Shapes = List<Plane, Sphere, Triangle, Polygon, Ellipsoid, Instance>;
+using Shapes = List<Plane, Sphere, Triangle, Polygon, Ellipsoid, Instance, Box, Placed<Box>, Disc,
+                    Placed<Disc>, Cone, Placed<Cone>, OpenCone, Placed<OpenCone>, Torus, Placed<Torus>,
+                    Implicit, Placed<Implicit>, Quadric, Placed<Quadric>, Combination>;
 
 /// What messages call a shape, whose code it runs, what it costs, and what holds of every one.
 struct ShapeWords {
     std::string_view one, many;
-    std::array<std::string_view, 4> steps;  ///< that a picture of it needs, beside those of every picture
+    std::array<std::string_view, 5> steps;  ///< that a picture of it needs, beside those of every picture
     /// One question of a ray, and one about a box (`overlaps`), in units of what a sphere costs.
     Real ask = 1;
     Real overlap = 1;
@@ -80,16 +114,83 @@ template <>
 inline constexpr ShapeWords words<Instance>{
     "instance with its matrices", "instances with their matrices", {"04.6", "03.4", "03.5"}};
 
+template <>
+inline constexpr ShapeWords words<Box>{"box", "boxes", {"10.1", "10.2"}};
+template <>
+inline constexpr ShapeWords words<Placed<Box>>{
+    "box with its matrices", "boxes with their matrices", {"04.6", "10.1", "10.2"}};
+template <>
+inline constexpr ShapeWords words<Disc>{.one = "disc", .many = "discs", .steps = {"10.3"}, .crossings = 1};
+template <>
+inline constexpr ShapeWords words<Placed<Disc>>{.one = "disc with its matrices",
+                                                .many = "discs with their matrices",
+                                                .steps = {"04.6", "10.3"},
+                                                .crossings = 1};
+template <>
+inline constexpr ShapeWords words<Cone>{
+    "cone or cylinder", "cones and cylinders", {"10.1", "10.4", "10.5", "10.6"}, 3};
+template <>
+inline constexpr ShapeWords words<Placed<Cone>>{"cone or cylinder with its matrices",
+                                                "cones and cylinders with their matrices",
+                                                {"04.6", "10.1", "10.4", "10.5", "10.6"},
+                                                3};
+template <>
+inline constexpr ShapeWords words<OpenCone>{
+    "open cone or cylinder", "open cones and cylinders", {"10.4", "10.6"}, 3};
+template <>
+inline constexpr ShapeWords words<Placed<OpenCone>>{"open cone or cylinder with its matrices",
+                                                    "open cones and cylinders with their matrices",
+                                                    {"04.6", "10.4", "10.6"},
+                                                    3};
+template <>
+inline constexpr ShapeWords words<Torus>{
+    .one = "torus", .many = "tori", .steps = {"10.1", "10.7", "10.8"}, .ask = 10, .crossings = 4};
+template <>
+inline constexpr ShapeWords words<Placed<Torus>>{.one = "torus with its matrices",
+                                                 .many = "tori with their matrices",
+                                                 .steps = {"04.6", "10.1", "10.7", "10.8"},
+                                                 .ask = 10,
+                                                 .crossings = 4};
+template <>
+inline constexpr ShapeWords words<Implicit>{.one = "implicit surface",
+                                            .many = "implicit surfaces",
+                                            .steps = {"10.1", "10.2", "10.9"},
+                                            .ask = 500,
+                                            .crossings = 8};
+template <>
+inline constexpr ShapeWords words<Placed<Implicit>>{.one = "implicit surface with its matrices",
+                                                    .many = "implicit surfaces with their matrices",
+                                                    .steps = {"04.6", "10.1", "10.2", "10.9"},
+                                                    .ask = 500,
+                                                    .crossings = 8};
+template <>
+inline constexpr ShapeWords words<Quadric>{"quadric", "quadrics", {"02.1", "10.1", "10.2"}, 7};
+template <>
+inline constexpr ShapeWords words<Placed<Quadric>>{
+    "quadric with its matrices", "quadrics with their matrices", {"04.6", "02.1", "10.1", "10.2"}, 7};
+template <>
+inline constexpr ShapeWords words<Combination>{
+    "combination of solids", "combinations of solids", {"10.1", "10.11"}, 10};
+
 /// The bytes that a shape owns beside its own. One that owns memory says here, or in its chapter's contract,
 /// how much.
 template <class Shape>
 requires(std::is_trivially_copyable_v<Shape>) std::size_t owned_bytes(const Shape&) { return 0; }
 inline std::size_t owned_bytes(const Polygon& polygon) { return polygon.vertices.size() * sizeof(Vec3); }
+inline std::size_t owned_bytes(const Implicit& implicit) { return bytes_of(*implicit.f); }
 /// A mesh is the world's, not its objects'.
 inline std::size_t owned_bytes(const MeshUse&) { return 0; }
 template <class Shape>
 std::size_t owned_bytes(const Placed<Shape>& placed) {
     return owned_bytes(placed.shape);
+}
+inline std::size_t owned_bytes(const Combination& combination) {
+    std::size_t bytes = combination.parts.size() * sizeof(Combination::Part) +
+                        combination.nodes.size() * sizeof(Combination::Node);
+    for (const Combination::Part& part : combination.parts)
+        bytes += part.common_planes.size() * sizeof(Combination::CommonPlane) +
+                 std::visit([](const auto& solid) { return owned_bytes(solid); }, part.solid);
+    return bytes;
 }
 
 }  // namespace rt

@@ -55,7 +55,7 @@ TEST_CASE("t counts in lengths of the direction", "[01.4]") {
 
 TEST_CASE("a slanted ray meets a slanted plane", "[01.4]") {
     // (0, 0, 0) + t (1, 1, 1) lies on x + y + z = 6 at t = 2.
-    const auto hit = intersect({{1, 2, 3}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}, everything);
+    const auto hit = intersect(Plane{{1, 2, 3}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}, everything);
     REQUIRE(hit);
     CHECK(std::abs(hit->t - 2) <= 8 * unit_roundoff * 2);
 }
@@ -69,7 +69,7 @@ TEST_CASE("a plane is hit from both sides", "[01.4]") {
 TEST_CASE("a ray parallel to the plane misses it, also inside the plane", "[01.4]") {
     CHECK_FALSE(intersect(ground, {{0, 1, 0}, {1, 0, 0}}, everything));
     CHECK_FALSE(intersect(ground, {{0, 0, 0}, {1, 0, 0}}, everything));
-    CHECK_FALSE(intersect({{0, 0, 0}, {1, -1, 0}}, {{0, 1, 0}, {2, 2, 5}}, everything));
+    CHECK_FALSE(intersect(Plane{{0, 0, 0}, {1, -1, 0}}, {{0, 1, 0}, {2, 2, 5}}, everything));
 }
 
 TEST_CASE("a plane behind the ray is missed", "[01.4]") {
@@ -89,7 +89,7 @@ TEST_CASE("a ray that starts on the plane does not hit it there", "[01.4]") {
 TEST_CASE("far from the origin a plane is hit as exactly as near it", "[01.4]") {
     // Positions cancel; subtract them first, while they are exact, and not their products with the normal.
     const Vec3 far(1e9, 2e9, -3e9);
-    const auto hit = intersect({far, {0.1, 0.2, 0.3}}, {far + Vec3(0, 0, 1), {0, 0, -1}}, everything);
+    const auto hit = intersect(Plane{far, {0.1, 0.2, 0.3}}, {far + Vec3(0, 0, 1), {0, 0, -1}}, everything);
     REQUIRE(hit);
     INFO("t = " << show(hit->t) << ", expected 1");
     CHECK(std::abs(hit->t - 1) <= 8 * unit_roundoff);
@@ -111,7 +111,7 @@ TEST_CASE("neither the length nor the sign of the normal matters", "[01.4]") {
         const auto [plane, ray] = random_case(random);
         const Real factor = std::ldexp(i % 2 ? 1.0 : -1.0, static_cast<int>(random.index(81)) - 40);
         const auto hit = intersect(plane, ray, everything);
-        const auto other = intersect({plane.point, factor * plane.normal}, ray, everything);
+        const auto other = intersect(Plane{plane.point, factor * plane.normal}, ray, everything);
         const bool same = hit.has_value() == other.has_value() && (!hit || hit->t == other->t);
         if (!same) {
             INFO(show(plane) << "\n" << show(ray) << "\nnormal times " << show(factor));
@@ -127,7 +127,7 @@ TEST_CASE("t does not depend on the unit of length, to the bit", "[01.4]") {
         const auto [plane, ray] = random_case(random);
         const Real scale = std::ldexp(1.0, static_cast<int>(random.index(81)) - 40);
         const auto hit = intersect(plane, ray, everything);
-        const auto other = intersect({scale * plane.point, plane.normal},
+        const auto other = intersect(Plane{scale * plane.point, plane.normal},
                                      {scale * ray.origin, scale * ray.direction}, everything);
         const bool same = hit.has_value() == other.has_value() && (!hit || hit->t == other->t);
         if (!same) {

@@ -160,7 +160,7 @@ TEST_CASE("the point is where the ray was at t", "[02.4]") {
 TEST_CASE("a point that rounding left beside the sphere is moved onto it", "[02.4]") {
     // t is a hundredth of a radius too small: the point moves to the sphere, the normal keeps its direction.
     const Ray ray{{0, 0, 5}, {0, 0, -1}};
-    const Surface surface = surface_at({{0, 0, 0}, 1}, ray, {.t = 3.99});
+    const Surface surface = surface_at(Sphere{{0, 0, 0}, 1}, ray, {.t = 3.99});
     CHECK(surface.point == Vec3(0, 0, 1));
     CHECK(surface.normal == Vec3(0, 0, 1));
 }

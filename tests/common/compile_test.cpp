@@ -4,6 +4,7 @@
 #include "chapters/04_transforms/transform.hpp"
 #include "common/image/file.hpp"
 #include "common/math/error.hpp"
+#include "common/povray/shapes.hpp"
 #include "common/render/explain.hpp"
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
@@ -466,10 +467,12 @@ Scene in_other_units(Scene scene, int k) {
     for (Material& m : scene.materials) m.checker.size *= unit, m.absorption /= unit;
     for (TransformNode& node : scene.transforms)
         if (auto* move = std::get_if<Translate>(&node.step)) move->by *= unit;
-    for (Object& object : scene.objects) {
-        if (auto* sphere = std::get_if<Sphere>(&object.shape)) sphere->center *= unit, sphere->radius *= unit;
-        if (auto* plane = std::get_if<Plane>(&object.shape)) plane->point *= unit;
-    }
+    for (std::vector<Object>* objects : {&scene.objects, &scene.parts})
+        for (Object& object : *objects) {
+            const bool has_vertices = std::holds_alternative<TriangleObject>(object.shape) ||
+                                      std::holds_alternative<PolygonObject>(object.shape);
+            if (!has_vertices) povray::scale(scene, object, unit);
+        }
     for (Light& light : scene.lights)
         if (auto* point = std::get_if<PointLight>(&light)) {
             point->position *= unit;

@@ -122,6 +122,20 @@ TEST_CASE("shapes are written as POV-Ray's own", "[export]") {
         "smooth_triangle { <0, 0, 0>, <0, 0, 1>, <1, 0, 0>, <0, 0, 2>, <0, 1, 0>, <0, 1, 1> texture"));
 }
 
+TEST_CASE("a surface that ends at a box is open there, and closed where it is part of a solid", "[export]") {
+    const std::string quadric = "quadric 1 1 1 0 0 0 0 0 0 -1  -1 -1 0 1 1 1\n";
+    const std::string implicit = "implicit -1 -1 -1 1 1 1 x^2+y-z\n";
+    CHECK(contains(exported("integrator flat\n" + quadric), " clipped_by { box {"));
+    CHECK(contains(exported("integrator flat\n" + implicit), " open texture"));
+    const std::string text = exported("integrator flat\nunion\n" + quadric + implicit + "end\n");
+    INFO(text);
+    CHECK(contains(text, "merge { intersection { quadric {"));
+    CHECK(contains(text, "} box {"));
+    CHECK(contains(text, "isosurface {"));
+    CHECK_FALSE(contains(text, "clipped_by"));
+    CHECK_FALSE(contains(text, " open"));
+}
+
 TEST_CASE("a transform is written column by column, before the texture", "[export]") {
     const std::string text = exported("integrator flat\ntranslate 1 2 3\nscale 2 4 8\nsphere 0 0 0 1\n");
     INFO(text);

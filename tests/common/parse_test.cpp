@@ -44,10 +44,11 @@ Material material_of(const std::string& text) {
     return scene.materials.at(scene.objects.at(0).material);
 }
 
-/// A right line of a command, with what has to stand before it.
+/// A right line of a command, with what has to stand before it and after it.
 struct Example {
     std::string line;
     std::string before;
+    std::string after{};
 };
 
 /// As messages list them.
@@ -71,6 +72,17 @@ Example example_of(const SceneCommand& command) {
         {"polygon", {"polygon 0 1 2", three}},
         {"mesh", {"mesh a.obj", ""}},
         {"popTransform", {"popTransform", "pushTransform\n"}},
+        {"box", {"box 0 0 0 1 1 1", ""}},
+        {"cylinder", {"cylinder 0 0 0 0 1 0 1", ""}},
+        {"openCylinder", {"openCylinder 0 0 0 0 1 0 1", ""}},
+        {"cone", {"cone 0 0 0 1 0 1 0 0", ""}},
+        {"openCone", {"openCone 0 0 0 1 0 1 0 0", ""}},
+        {"union", {"union", "", "\nsphere 0 0 0 1\nsphere 1 0 0 1\nend"}},
+        {"intersection", {"intersection", "", "\nsphere 0 0 0 1\nsphere 1 0 0 1\nend"}},
+        {"difference", {"difference", "", "\nsphere 0 0 0 1\nsphere 1 0 0 1\nend"}},
+        {"end", {"end", "union\nsphere 0 0 0 1\nsphere 1 0 0 1\n"}},
+        {"implicit", {"implicit 0 0 0 1 1 1 x-y", ""}},
+        {"quadric", {"quadric 1 1 1 0 0 0 0 0 0 -1 0 0 0 1 1 1", ""}},
     };
     if (const auto other = others.find(command.name); other != others.end()) return other->second;
     std::string line(command.name);
@@ -114,8 +126,8 @@ TEST_CASE("every command is read, and counts its arguments") {
 
     for (const SceneCommand& command : scene_commands()) {
         INFO("command " << command.name);
-        const auto [line, before] = example_of(command);
-        CHECK(message(before + line) == "");
+        const auto [line, before, after] = example_of(command);
+        CHECK(message(before + line + after) == "");
 
         const std::string next =
             "s:" + std::to_string(std::count(before.begin(), before.end(), '\n') + 1) + ":";
@@ -236,6 +248,127 @@ TEST_CASE("shapes keep their numbers and their place in the file") {
     CHECK(scene.smooth_vertices.at(2).normal == Vec3(2, 0, 0));
     CHECK(scene.objects[1].place.line == 9);
     CHECK(scene.objects[1].place.column == 3);
+}
+
+TEST_CASE("an implicit surface is the rest of its line, up to a comment") {
+    const Scene scene =
+        parse("implicit 2 -1 0 0 1 1 x^2 + y - 1/2 # a parabola\nquadric 1 2 3 4 5 6 7 8 9 10 2 0 0 0 1 1");
+    const Implicit& surface = shape<Implicit>(scene);
+    CHECK(surface.box.low == Vec3(0, -1, 0));
+    CHECK(surface.box.high == Vec3(2, 1, 1));
+    CHECK(surface.f->text == "x^2 + y - 1/2");
+    const Quadric& quadric = shape<Quadric>(scene, 1);
+    CHECK(quadric.squares == Vec3(1, 2, 3));
+    CHECK(quadric.mixed == Vec3(4, 5, 6));
+    CHECK(quadric.linear == Vec3(7, 8, 9));
+    CHECK(quadric.constant == 10);
+    CHECK(quadric.box.low == Vec3(0));
+    CHECK(quadric.box.high == Vec3(2, 1, 1));
+}
+
+TEST_CASE("what is wrong with an implicit surface or a quadric has its place") {
+    const std::string box = "implicit -1 -1 -1 1 1 1 ";
+    CHECK(error_of(box + "x+*y") == "s:1:27: a number, x, y, z, a function or '(' should be here, not '*'");
+    CHECK(error_of(box + "x + wibble(y)") == "s:1:29: unknown name 'wibble'");
+    CHECK(error_of("implicit 0 0 0 1 0 1 x") ==
+          "s:1:18: the box has no thickness along y: both corners are at 0");
+    CHECK(error_of("quadric 0 0 0 0 0 0 0 0 0 1 0 0 0 1 1 1") ==
+          "s:1:9: A to I are all 0, so it has no surface");
+    CHECK(error_of("quadric 1 1 1 0 0 0 0 2e30 0 1 0 0 0 1 1 1") ==
+          "s:1:23: coefficients beyond 1e+30 are not possible, and this is 2e+30");
+}
+
+TEST_CASE("the coefficients of a quadric are what they are to each other") {
+    const Scene scene = parse("quadric 1e-200 2e-200 0 0 0 0 0 0 0 -4e-200 0 0 0 1 1 1");
+    const Quadric& tiny = shape<Quadric>(scene);
+    CHECK(tiny.squares.y == 2 * tiny.squares.x);
+    CHECK(tiny.constant == -4 * tiny.squares.x);
+    CHECK(tiny.constant <= -1);  // so that its square is not 0
+    CHECK(tiny.constant > -2);
+}
+
+TEST_CASE("what is wrong with a box, a disc, a cone or a torus has its place") {
+    const std::pair<const char*, const char*> wrong[] = {
+        {"box 0 0 0 1 0 1", "13: the box has no thickness along y: both corners are at 0"},
+        {"box 0 0 0 1 1", "14: 'box' needs 6 arguments, here are 5; expected: box x0 y0 z0 x1 y1 z1"},
+        {"box 0 0 2e30 1 1 1", "9: coordinates beyond 1e+30 are not possible, and this is 2e+30"},
+        {"disc 0 0 0 0 0 0 1", "12: the normal must not be 0 0 0"},
+        {"disc 0 0 0 0 1 0 0", "18: the radius must be greater than 0, not 0"},
+        {"disc 0 0 0 0 1 0 1e-31", "18: the radius must be from 1e-30 to 1e+30, not 1e-31"},
+        {"cylinder 0 0 0 0 0 0 1", "16: both ends are the same point"},
+        {"cylinder 0 0 0 0 1 0 -1", "22: the radius must be greater than 0, not -1"},
+        {"openCylinder 0 0 0 0 1e-31 0 1", "20: the ends are 1e-31 apart, less than 1e-30"},
+        {"cone 0 0 0 0 0 1 0 0", "20: only one radius of a cone may be 0"},
+        {"cone 0 0 0 -1 0 1 0 0", "12: the radius must not be negative, but is -1"},
+        {"cone 0 0 0 1e31 0 1 0 1", "12: the radius must be from 1e-30 to 1e+30, not 1e+31"},
+        {"openCone 0 0 0 1 0 0 0 2", "18: both ends are the same point"},
+        {"torus 0 0 0 0 0 0 2 1", "13: the axis must not be 0 0 0"},
+        {"torus 0 0 0 0 1 0 0 1", "19: the radius of the ring must be greater than 0, not 0"},
+        {"torus 0 0 0 0 1 0 2 -1", "21: the radius of the tube must be greater than 0, not -1"},
+        {"implicit 0 0 0 1 1 1",
+         "21: 'implicit' needs at least 7 arguments, here are 6; expected: implicit x0 y0 z0 x1 y1 z1 "
+         "expression ..."},
+        {"implicit 0 0 0 1 1 1 x − 1", "24: an operator should be here, not '−'"},
+    };
+    for (const auto& [text, message] : wrong) {
+        INFO(text);
+        CHECK(error_of(text) == std::string("s:1:") + message);
+    }
+}
+
+TEST_CASE("a combination keeps its parts in order, each with its transform, and those of its parts") {
+    const Scene scene = parse(
+        "union\nsphere 0 0 0 1\ntranslate 1 0 0\n"
+        "difference\nbox 0 0 0 1 1 1\nsphere 0 0 0 1\nend\nend\nsphere 9 0 0 1");
+    REQUIRE(scene.objects.size() == 2);
+    REQUIRE(scene.parts.size() == 4);
+    const CombinationObject& whole = shape<CombinationObject>(scene);
+    CHECK(whole.operation == SetOperation::Union);
+    CHECK(whole.parts == std::vector<std::uint32_t>{0, 3});
+    CHECK(scene.objects[0].transform == -1);
+    CHECK(scene.objects[0].place.line == 1);
+    CHECK(scene.objects[1].transform == 0);
+    const CombinationObject& inner = std::get<CombinationObject>(scene.parts[3].shape);
+    CHECK(inner.operation == SetOperation::Difference);
+    CHECK(inner.parts == std::vector<std::uint32_t>{1, 2});
+    CHECK(scene.parts[0].transform == -1);
+    CHECK(scene.parts[1].transform == 0);
+    CHECK(scene.parts[2].transform == 0);
+    CHECK(scene.parts[3].transform == -1);
+    CHECK(scene.parts[3].place.line == 4);
+}
+
+TEST_CASE("what is wrong with a combination has its place") {
+    const std::string ball = "sphere 0 0 0 1\n", other_color = "diffuse 1 0 0\n";
+    const std::string one_material =
+        "a solid is of one material, the one in force at its 'union' in line 1: this part has another";
+    const std::pair<std::string, std::string> wrong[] = {
+        {"end", "s:1:1: 'end' without a 'union', 'intersection' or 'difference' before it"},
+        {"union\n" + ball + ball + "end\n end",
+         "s:5:2: 'end' without a 'union', 'intersection' or 'difference' before it"},
+        {"union\n" + ball + "end", "s:3:1: 'union' needs at least 2 solids, here is 1"},
+        {"difference\nend", "s:2:1: 'difference' needs at least 2 solids, here are 0"},
+        {"\n  union\n" + ball + ball, "s:2:3: 'union' has no 'end'"},
+        {"union\nintersection\n" + ball + ball + "end", "s:1:1: 'union' has no 'end'"},
+        {"union\n" + ball + " disc 0 0 0 0 1 0 1\nend",
+         "s:3:2: 'union' takes solids only, and this disc has no inside"},
+        {"intersection\nopenCone 0 0 0 1 0 1 0 0",
+         "s:2:1: 'intersection' takes solids only, and this open cone or cylinder has no inside"},
+        {"vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nunion\ntri 0 1 2",
+         "s:5:1: 'union' takes solids only, and this triangle has no inside"},
+        {"union\n" + ball + other_color + ball + "end", "s:4:1: " + one_material},
+        {"union\n" + ball + other_color + " difference\n" + ball + ball + "end\nend",
+         "s:4:2: " + one_material},
+        {"union 1", "s:1:7: 'union' needs 0 arguments, here is 1; expected: union"},
+    };
+    for (const auto& [text, message] : wrong) {
+        INFO(text);
+        CHECK(error_of(text) == message);
+    }
+    CHECK(error_of("union\n" + ball + other_color + "diffuse 0 0 0\n" + ball + "end") == "");
+    std::string deep;
+    for (int i = 0; i < 1001; ++i) deep += "union\n";
+    CHECK(error_of(deep) == "s:1001:1: more than 1000 solids inside each other");
 }
 
 TEST_CASE("a point light takes the attenuation in force, a directional light has none") {

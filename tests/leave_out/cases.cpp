@@ -9,6 +9,11 @@
 #include "chapters/06_shadows/shadow.hpp"
 #include "chapters/07_recursion/optics.hpp"
 #include "chapters/07_recursion/radiance.hpp"
+#include "chapters/10_surfaces/box.hpp"
+#include "chapters/10_surfaces/cone.hpp"
+#include "chapters/10_surfaces/implicit.hpp"
+#include "chapters/10_surfaces/torus.hpp"
+#include "common/world/search.hpp"
 
 #include <fmt/format.h>
 
@@ -65,9 +70,61 @@ constexpr std::array<Triangle, count> make_sheet(const Vec3& moved) {
 constexpr std::array<Triangle, count> sheet = make_sheet(Vec3(0));
 constexpr std::array<Triangle, count> moved_sheet = make_sheet({0.5, 0, -1});
 
+/// 8 × 4 boxes, cones and tori, apart like the balls.
+constexpr std::array<Box, count> make_boxes() {
+    std::array<Box, count> boxes{};
+    for (std::uint32_t i = 0; i < count; ++i)
+        boxes[i] = {balls[i].center - Vec3(0.375, 0.25, 0.4375), balls[i].center + Vec3(0.375, 0.4375, 0.25)};
+    return boxes;
+}
+constexpr std::array<Box, count> boxes = make_boxes();
+constexpr std::array<Cone, count> make_cones() {
+    std::array<Cone, count> cones{};
+    for (std::uint32_t i = 0; i < count; ++i)
+        cones[i] = {balls[i].center - Vec3(0.25, 0.375, 0), i % 3 * 0.125,
+                    balls[i].center + Vec3(0.125, 0.375, 0.25), 0.375};
+    return cones;
+}
+constexpr std::array<Cone, count> cones = make_cones();
+constexpr std::array<Torus, count> make_tori() {
+    std::array<Torus, count> tori{};
+    for (std::uint32_t i = 0; i < count; ++i)
+        tori[i] = {balls[i].center, Vec3(i % 4 - 1.5, 1, i % 3), 0.25, 0.09375};
+    return tori;
+}
+constexpr std::array<Torus, count> tori = make_tori();
+
 std::string text(const Vec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
 std::string text(const Sphere& s) { return fmt::format("sphere {} {}\n", text(s.center), s.radius); }
 std::string text(const Plane& p) { return fmt::format("plane {} {}\n", text(p.point), text(p.normal)); }
+
+std::string text(const Box& b) { return fmt::format("box {} {}\n", text(b.low), text(b.high)); }
+/// And as many cubes with round corners.
+const std::vector<Implicit>& implicits() {
+    static const std::vector<Implicit> all = [] {
+        std::vector<Implicit> made;
+        for (const Sphere& one : balls) {
+            const auto& [x, y, z] = std::array{one.center.x, one.center.y, one.center.z};
+            const std::string f =
+                fmt::format("(x-({}))^4+(y-({}))^4+(z-({}))^4-{}", x, y, z, std::pow(0.375, 4));
+            made.push_back({{one.center - Vec3(0.4375), one.center + Vec3(0.4375)},
+                            std::make_shared<const Formula>(parse_formula(f))});
+        }
+        return made;
+    }();
+    return all;
+}
+
+std::string text(const Implicit& s) {
+    return fmt::format("implicit {} {} {}\n", text(s.box.low), text(s.box.high), s.f->text);
+}
+
+std::string text(const Cone& c) {
+    return fmt::format("cone {} {} {} {}\n", text(c.a), c.radius_a, text(c.b), c.radius_b);
+}
+std::string text(const Torus& t) {
+    return fmt::format("torus {} {} {} {}\n", text(t.center), text(t.axis), t.ring, t.tube);
+}
 
 const std::string base = "size 64 48\ncamera 0 1 6 0 0 0 0 1 0 40\n";
 // The minimal renderers ask every shape, so what they are compared with does too.
@@ -84,6 +141,17 @@ std::string balls_text(const std::string& first = red, const std::string& second
         lines += around.empty() ? text(balls[i])
                                 : fmt::format("pushTransform\ntranslate {}\n{}sphere 0 0 0 1\npopTransform\n",
                                               text(balls[i].center), around);
+    }
+    return lines;
+}
+
+/// The first half of the shapes red, the second blue.
+template <class Shapes>
+std::string halves_text(const Shapes& shapes) {
+    std::string lines = red;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (i == half) lines += blue;
+        lines += text(shapes[i]);
     }
     return lines;
 }
@@ -136,6 +204,26 @@ Vec3 glowing_sheet(const World&, const Ray& ray, Stream&) {
 
 Vec3 glowing_balls(const World&, const Ray& ray, Stream&) {
     const std::optional<Hit> hit = closest_hit(balls, ray, everything);
+    return hit ? glow[hit->primitive >= half] : Vec3(0);
+}
+
+Vec3 glowing_boxes(const World&, const Ray& ray, Stream&) {
+    const std::optional<Hit> hit = closest_hit(std::span<const Box>(boxes), ray, everything);
+    return hit ? glow[hit->primitive >= half] : Vec3(0);
+}
+
+Vec3 glowing_cones(const World&, const Ray& ray, Stream&) {
+    const std::optional<Hit> hit = closest_hit(std::span<const Cone>(cones), ray, everything);
+    return hit ? glow[hit->primitive >= half] : Vec3(0);
+}
+
+Vec3 glowing_tori(const World&, const Ray& ray, Stream&) {
+    const std::optional<Hit> hit = closest_hit(std::span<const Torus>(tori), ray, everything);
+    return hit ? glow[hit->primitive >= half] : Vec3(0);
+}
+
+Vec3 glowing_implicits(const World&, const Ray& ray, Stream&) {
+    const std::optional<Hit> hit = closest_hit(std::span<const Implicit>(implicits()), ray, everything);
     return hit ? glow[hit->primitive >= half] : Vec3(0);
 }
 
@@ -259,6 +347,8 @@ std::vector<Case> cases() {
     const std::string planes_text = red + text(planes[0]) + blue + text(planes[1]);
     const std::string hidden_triangle = "vertex 0 0 9\nvertex 1 0 9\nvertex 0 1 9\ntri 0 1 2\n";
     const std::string hidden_plane = "plane 0 0 9 0 0 1\n";
+    std::size_t programs = 0;
+    for (const Implicit& one : implicits()) programs += owned_bytes(one);
     const std::string mesh = "mesh sheet.obj\n", out_of_sight = "translate 0 0 50\n";
     return {
         {.feature = "other kinds than one sphere",
@@ -276,6 +366,26 @@ std::vector<Case> cases() {
          .with_feature = head + sheet_text(false) + hidden_plane,
          .minimal = glowing_sheet,
          .bytes = memory(sheet, 2)},
+        {.feature = "other kinds than boxes",
+         .scene = head + halves_text(boxes),
+         .with_feature = head + halves_text(boxes) + hidden_triangle,
+         .minimal = glowing_boxes,
+         .bytes = memory(boxes, 2)},
+        {.feature = "other kinds than cones",
+         .scene = head + halves_text(cones),
+         .with_feature = head + halves_text(cones) + hidden_triangle,
+         .minimal = glowing_cones,
+         .bytes = memory(cones, 2)},
+        {.feature = "other kinds than tori",
+         .scene = head + halves_text(tori),
+         .with_feature = head + halves_text(tori) + hidden_triangle,
+         .minimal = glowing_tori,
+         .bytes = memory(tori, 2)},
+        {.feature = "other kinds than implicit surfaces",
+         .scene = head + halves_text(implicits()),
+         .with_feature = head + halves_text(implicits()) + hidden_triangle,
+         .minimal = glowing_implicits,
+         .bytes = memory(implicits(), 2) + programs},
         {.feature = "shadow rays: no lights",
          .scene = head + balls_text(),
          .with_feature = head + lamp_text + balls_text(),

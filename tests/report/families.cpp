@@ -7,7 +7,14 @@
 #include "chapters/04_transforms/instance.hpp"
 #include "chapters/04_transforms/transform.hpp"
 #include "chapters/07_recursion/optics.hpp"
+#include "chapters/10_surfaces/box.hpp"
+#include "chapters/10_surfaces/cone.hpp"
+#include "chapters/10_surfaces/disc.hpp"
+#include "chapters/10_surfaces/implicit.hpp"
+#include "chapters/10_surfaces/quadric.hpp"
+#include "chapters/10_surfaces/torus.hpp"
 #include "tests/stability/grids.hpp"
+#include "tests/stability/leaving.hpp"
 #include "tests/stability/naive.hpp"
 #include "tests/stability/optics.hpp"
 #include "tests/stability/shadows.hpp"
@@ -423,6 +430,98 @@ void add_grids(std::vector<Task>& tasks, std::size_t cases) {
                          }});
 }
 
+template <class Shape>
+void add_solids(std::vector<Task>& tasks, std::size_t cases, const char* what, const char* textbook,
+                std::span<const SolidFamily<Shape>> families) {
+    for (const SolidFamily<Shape>& family : families)
+        tasks.push_back(
+            {{"10", what, family.name, "the data moved by 8u", "η = 8u(|f| + size)", textbook, {}, {}},
+             cases,
+             usual_part,
+             ask<OptionalHit>(
+                 family.make, [](const SolidCase<Shape>& q) { return intersect(q.shape, q.ray, Interval{}); },
+                 [](const SolidCase<Shape>& q) { return naive::intersect(q.shape, q.ray, Interval{}); })});
+}
+
+/// Of surfaces in boxes; the cases are those of all families together.
+template <class Shape>
+void add_in_box(std::vector<Task>& tasks, std::size_t cases, const char* what, const char* condition,
+                const char* demand, const char* textbook, std::span<const SolidFamily<Shape>> families) {
+    for (const SolidFamily<Shape>& family : families)
+        tasks.push_back(
+            {{"10", what, family.name, condition, demand, textbook, {}, {}},
+             cases / families.size(),
+             usual_part / 10,
+             ask<OptionalHit>(
+                 family.make, [](const SolidCase<Shape>& q) { return intersect(q.shape, q.ray, Interval{}); },
+                 [](const SolidCase<Shape>& q) { return naive::intersect(q.shape, q.ray, Interval{}); })});
+}
+
+/// Rays that leave a shape where others met it; the cases are those of all families together.
+template <class Family>
+void add_leaving(std::vector<Task>& tasks, std::size_t cases, const char* what,
+                 std::span<const Family> families) {
+    tasks.push_back({{"10",
+                      what,
+                      "from all hits of the families above",
+                      "cosine to the normal from 1e-6 to 1",
+                      "no self-hit, and the right next one",
+                      "",
+                      {},
+                      {}},
+                     cases,
+                     usual_part / 10,
+                     [families](std::size_t count, std::uint64_t seed, Verdict& right, Verdict*) {
+                         for (const Family& family : families)
+                             add(right, leave(family.make(count / families.size(), seed), seed));
+                     }});
+}
+
+void add_surfaces(std::vector<Task>& tasks, std::size_t cases) {
+    add_solids(tasks, cases, "hit with a box", "slabs by 1/d", box_families());
+    add_solids(tasks, cases, "hit with a disc", "the point in the world", disc_families());
+    add_solids(tasks, cases, "hit with a cone or cylinder", "side and caps by themselves", cone_families());
+    for (const PolynomialFamily& family : polynomial_families())
+        tasks.push_back(
+            {{"10",
+              "roots of a quartic",
+              family.name,
+              "Σ|aᵢtⁱ|/|t·p′(t)|",
+              "the coefficients moved by 8u",
+              "closed formulas",
+              {},
+              {}},
+             cases,
+             usual_part,
+             ask<SignChanges>(
+                 family.make,
+                 [](const PolynomialCase& q) { return sign_changes(q.polynomial, q.low, q.high); },
+                 [](const PolynomialCase& q) { return naive::sign_changes(q.polynomial, q.low, q.high); })});
+    for (const TorusFamily& family : torus_families())
+        tasks.push_back({{"10",
+                          "inside a torus",
+                          family.name,
+                          "the data moved by 8u",
+                          "η = 8u(|f| + 5(R + r))",
+                          "closed formulas from the eye",
+                          {},
+                          {}},
+                         cases,
+                         usual_part,
+                         ask<TorusSpans>(
+                             family.make, [](const TorusCase& q) { return inside(q.torus, q.ray); },
+                             [](const TorusCase& q) { return naive::inside(q.torus, q.ray); })});
+    add_in_box(tasks, cases, "first crossing of an implicit surface", "f within rounding of 0", "|f| ≤ 3β",
+               "100 equal steps", implicit_families());
+    add_in_box(tasks, cases, "hit with a quadric", "coefficients moved by 32u", "|f| ≤ 3β",
+               "h² − ac at the eye", quadric_families());
+    add_leaving(tasks, cases, "leaving a box", box_families());
+    add_leaving(tasks, cases, "leaving a cone or cylinder", cone_families());
+    add_leaving(tasks, cases, "leaving a torus", torus_families());
+    add_leaving(tasks, cases, "leaving an implicit surface", implicit_families());
+    add_leaving(tasks, cases, "leaving a quadric", quadric_families());
+}
+
 /// All batches of one task; one in ten is also put to the textbook method.
 FamilyRow run(const Task& task, const Told& told) {
     const std::size_t batches = (task.cases + task.part - 1) / task.part;
@@ -450,6 +549,7 @@ std::vector<FamilyRow> measure_families(const FamiliesOptions& options, const To
     add_shadows(tasks, options.aimed);
     add_optics(tasks, options.judged);
     add_grids(tasks, options.aimed);
+    add_surfaces(tasks, options.judged);
 
     std::vector<FamilyRow> rows;
     for (const Task& task : tasks)

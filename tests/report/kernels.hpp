@@ -1,4 +1,4 @@
-// Intersections of rays with spheres and triangles: how wrong each method is, and how long it takes.
+// Intersections of rays with surfaces: how wrong each method is, and how long it takes.
 #pragma once
 
 #include "common/math/vec.hpp"
@@ -13,10 +13,23 @@ namespace rt::report {
 /// Told the part of the work that is done, in [0, 1].
 using Told = std::function<void(double)>;
 
+/// How a method's points are shown in the plot of a shape. Methods of one colour have one name.
+struct Look {
+    int color;  ///< 1 red, 2 orange, 3 blue, 4 green, 5 violet
+    const char* name;
+};
+inline constexpr Look textbook_look{1, "textbook"};
+inline constexpr Look constants_look{2, "textbook with its constants"};
+inline constexpr Look course_look{3, "stable"};
+inline constexpr Look interval_look{4, "intervals"};
+inline constexpr Look exact_look{5, "exact"};
+
 /// One method on one family of cases. Errors are those of t, in units of κu|t|, over the cases that the
-/// method calls a hit and that surely are one; κ as in tests/stability/spheres.hpp and triangles.hpp.
+/// method calls a hit and that surely are one; κ as in tests/stability/spheres.hpp and triangles.hpp. For a
+/// torus it is (|f| + |t||d| + R + r) / (|t| |n·d|), and for a surface f = 0 in a box (|o| + |t||d| + size of
+/// the box) / (|t| |n·d|) and what moving each term of f by a relative 1 adds.
 struct KernelRow {
-    std::string shape;   ///< "sphere" or "triangle"
+    std::string shape;   ///< such as "sphere"
     std::string method;  ///< such as "textbook"
     std::string number;  ///< what it computes with, such as "float"
     double ns = 0;       ///< CPU time of a call: the median of repeats in one run
@@ -28,6 +41,14 @@ struct KernelRow {
                             ///< excuse it
     std::size_t undecided = 0;  ///< neither answer given: what intervals do
     bool course = false;        ///< the method that the course teaches
+    Look look{};
+};
+
+/// What the cases of a shape are.
+struct KernelFamily {
+    std::string shape;
+    std::string words;
+    std::size_t cases = 0;
 };
 
 /// Correct decimal digits of t, the worst of some rays a cell.
@@ -39,7 +60,7 @@ struct DigitsMap {
 };
 
 struct Kernels {
-    std::string sphere_family, triangle_family;  ///< in words
+    std::vector<KernelFamily> families;  ///< one a shape, in the order in which they are shown
     std::vector<KernelRow> rows;
     std::vector<DigitsMap> maps;  ///< naive, stable, and what the data allow
 };

@@ -32,7 +32,9 @@ Json to_json(const PowerLaw& law) {
 }
 
 Json to_json(const Kernels& kernels) {
-    Json rows = Json::array(), maps = Json::array();
+    Json families = Json::array(), rows = Json::array(), maps = Json::array();
+    for (const KernelFamily& family : kernels.families)
+        families.push_back({{"shape", family.shape}, {"words", family.words}, {"cases", family.cases}});
     for (const KernelRow& row : kernels.rows)
         rows.push_back({{"shape", row.shape},
                         {"method", row.method},
@@ -44,7 +46,9 @@ Json to_json(const Kernels& kernels) {
                         {"cases", row.cases},
                         {"wrong", row.wrong},
                         {"undecided", row.undecided},
-                        {"course", row.course}});
+                        {"course", row.course},
+                        {"color", row.look.color},
+                        {"look", row.look.name}});
     for (const DigitsMap& map : kernels.maps) {
         Json digits = Json::array();
         for (const double d : map.digits) digits.push_back(number(d));
@@ -53,10 +57,7 @@ Json to_json(const Kernels& kernels) {
                         {"tangency", map.tangency},
                         {"digits", digits}});
     }
-    return {{"sphere_family", kernels.sphere_family},
-            {"triangle_family", kernels.triangle_family},
-            {"rows", rows},
-            {"maps", maps}};
+    return {{"families", families}, {"rows", rows}, {"maps", maps}};
 }
 
 Json to_json(const PictureCurve& curve) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 using namespace rt;
 using namespace rt::report;
@@ -106,6 +107,24 @@ TEST_CASE("the course's intersections are within 8κu and never wrong, where the
         CHECK(row(kernels(), shape, "textbook", "double-double").error_max < 1);
         CHECK(row(kernels(), shape, "exact", "exact").wrong == 0);
     }
+    for (const auto& [shape, method, textbook] :
+         {std::tuple{"torus", "sign changes near", "closed formulas from the eye"},
+          std::tuple{"quadric", "where it is deepest", "h² − ac from the eye"}}) {
+        const KernelRow& course = row(kernels(), shape, method, "double");
+        const KernelRow& formulas = row(kernels(), shape, textbook, "double");
+        INFO(shape);
+        CHECK(course.course);
+        CHECK(course.error_max <= 8);
+        CHECK(course.wrong == 0);
+        CHECK(formulas.error_max > 100 * course.error_max);
+        CHECK(formulas.wrong > 0);
+    }
+    const KernelRow& intervals = row(kernels(), "heart", "intervals", "double");
+    CHECK(intervals.course);
+    CHECK(intervals.error_max <= 8);
+    CHECK(intervals.wrong == 0);
+    CHECK(row(kernels(), "heart", "equal steps", "100 steps").wrong > 0);
+    CHECK(row(kernels(), "heart", "sphere tracing", "to 1e-4").error_max > 1e6);
     CHECK(row(kernels(), "sphere", "textbook", "double").wrong > 0);
     CHECK(row(kernels(), "triangle", "textbook with its constants", "double").wrong > 0);
 }

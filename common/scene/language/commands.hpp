@@ -29,6 +29,7 @@ std::span<const CommandRow> all_commands();
 // What can be told only at the end of the file.
 
 void require_camera(const Parser& parser);
+void require_closed_combinations(const Parser& parser);
 void require_adaptable_sampler(const Parser& parser);
 
 }  // namespace rt::language

@@ -16,6 +16,11 @@ void fail(const Parser& parser, std::string_view word, const std::string& what) 
     throw InputError(message_at(parser, word.data(), what));
 }
 
+void fail_at(const Parser& parser, SourcePlace place, const std::string& what) {
+    throw InputError(parser.scene.file + ":" + std::to_string(place.line) + ":" +
+                     std::to_string(place.column) + ": " + what);
+}
+
 std::string expected(const Parser& parser) {
     const SceneCommand& command = *parser.command;
     return "; expected: " + command.name + (command.arguments.empty() ? "" : " ") + command.arguments;

@@ -15,6 +15,14 @@
 
 namespace rt::language {
 
+/// A combination whose `end` has not come yet.
+struct OpenCombination {
+    CombinationObject made;
+    std::string word;            ///< that opened it
+    SourcePlace place;           ///< of that word
+    std::uint32_t material = 0;  ///< in force there; index into Scene::materials
+};
+
 /// What the commands so far have made, and the line that is being read.
 struct Parser {
     const ParseOptions& options;
@@ -26,6 +34,7 @@ struct Parser {
     Vec3 attenuation{1, 0, 0};
     int transform = -1;  ///< index into Scene::transforms; −1 is the identity
     std::vector<int> transform_stack{};
+    std::vector<OpenCombination> combinations{};  ///< each inside the one before it
 
     bool has_camera = false;
     bool has_command = false;
@@ -47,6 +56,9 @@ void warn(const Parser& parser, const char* where, const std::string& what);
 
 /// Throws that message as an InputError, with the place where `word` begins.
 [[noreturn]] void fail(const Parser& parser, std::string_view word, const std::string& what);
+
+/// The same with a place that may be on an earlier line.
+[[noreturn]] void fail_at(const Parser& parser, SourcePlace place, const std::string& what);
 
 /// A value that later versions may know, such as a new integrator: lenient reading goes on without the line.
 struct UnknownValue : InputError {

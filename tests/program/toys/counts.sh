@@ -83,7 +83,7 @@ needs() {
 }
 needs "words of a file's shape" common/scene/shapes.hpp 's/file_words<Ball>/file_words<char>/' common/scene/mesh_file.cpp \
     'there_are_no_file_words_for_this_shape'
-needs "a section for POV-Ray" common/povray/shapes.cpp '/^Box box_of(const Scene& scene, const Ball/,/^}/d' \
-    common/povray/shapes.cpp 'lacks one of open_statement, with_uv, box_of and scale'
+needs "a section for POV-Ray" common/povray/shapes.cpp '/^Extent extent_of(const Scene& scene, const Ball/,/^}/d' \
+    common/povray/shapes.cpp 'lacks one of open_statement, with_uv, extent_of and scale'
 needs "bounds" chapters/97_toys/ball.hpp '/^Bounds bounds_of/d' common/render/primitives.cpp 'bounds_of is missing'
 finish

@@ -9,8 +9,8 @@ std::string with_uv(const Scene\& scene, const Ball\& ball, const std::string\& 
     return without_uv(open_statement(scene, ball), transform);\
 }\
 \
-Box box_of(const Scene\& scene, const Ball\& ball, const Mat4\& m) {\
-    return box_of(scene, Sphere{ball.middle, ball.half_width}, m);\
+Extent extent_of(const Scene\& scene, const Ball\& ball, const Mat4\& m) {\
+    return extent_of(scene, Sphere{ball.middle, ball.half_width}, m);\
 }\
 \
 void scale(Scene\&, Ball\& ball, Real factor) { ball.middle *= factor, ball.half_width *= factor; }\

@@ -5,7 +5,7 @@ struct Ball {\
     Real half_width = 1;\
 };\
 
-s/using FileShape = std::variant</&Ball, /
+/^using FileShape/,/;/s/std::variant</&Ball, /
 /^inline constexpr FileShapeWords file_words = /a\
 template <>\
 inline constexpr FileShapeWords file_words<Ball>{"ball", false};

@@ -1,0 +1,126 @@
+// Cones and cylinders, solid or open: all that is round about an axis and straight along it.
+// The lesson uses the same letters: u for the axis from a to b, e and m across it, α and β for the radius.
+#include "chapters/10_surfaces/cone.hpp"
+
+#include "chapters/10_surfaces/disc.hpp"
+#include "common/math/error.hpp"
+#include "common/math/todo.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+
+ConeLine cone_line(const Cone& cone, const Ray& ray) {
+    // 10.4  Return the line as the struct describes it. As seen from the narrower end (a, if both
+    // are equal), the ray begins at f = origin − end; go from there to the point of the line that is nearest
+    // to that end, which is at t = −(f·d)/(d·d), and let f lead to that. From the end to there it is
+    // f·u/(u·u) along the axis, with u = b − a, and d·u/(u·u) more with each τ. The radius grows by radius_b
+    // − radius_a from a to b. Last, a = m·m − β².
+    return todo("10.4");
+}
+
+Roots side_roots(const ConeLine& line) {
+    // 10.4  Return the roots of a·τ² + 2·h·τ + c = 0, where |e + τ·m|² = (α + τ·β)². Compute the
+    // discriminant as |α·m − β·e|² − |e × m|² and leave the rest to solve_quadratic. That wants a ≠ 0: where
+    // a is 0, the equation is linear, with one root, or if h is 0, too, with none.
+    return todo("10.4");
+}
+
+namespace {
+
+/// The τ at which the line is inside the side: where |e + τ·m| ≤ α + τ·β.
+[[maybe_unused]] std::optional<Span> inside_side(const ConeLine& line) {
+    // 10.5  If m is longer than |β|, the line is inside between its roots, and nowhere if it has
+    // none. (They may be of the mirror image: that lies beyond the apex, and so beyond the ends.) If not, it
+    // is as steep as the side or steeper. Without roots it then is inside everywhere or nowhere, as at τ = 0;
+    // else it is inside on from one root, or up to one: where β is positive from the greater root to
+    // infinity, where it is negative from −infinity to the lesser. Only where it is just as steep, parallel
+    // to the side, that root may be of the mirror image: where α + τ·β, the radius there, is negative, the
+    // line is nowhere inside.
+    return todo("10.5");
+}
+
+}  // namespace
+
+std::optional<Span> inside(const Cone& cone, const Ray& ray) {
+    // 10.5  Return what the side and the slab between the ends, 0 ≤ s ≤ 1, have in common. `slab`
+    // numbers its faces 0 and 1; those of the cone are 1 and 2, and 0 is the side. The ray's t is from + τ.
+    return todo("10.5");
+}
+
+std::optional<Hit> intersect(const Cone& cone, const Ray& ray, Interval range) {
+    const std::optional<Span> span = inside(cone, ray);
+    return span ? first_hit(*span, range) : std::nullopt;
+}
+
+std::optional<Hit> intersect(const OpenCone& open, const Ray& ray, Interval range) {
+    // 10.6  Return a Hit with the first root of the side that is in the range, and where the line
+    // is between the ends, 0 ≤ s ≤ 1. The ray's t is from + τ.
+    return todo("10.6");
+}
+
+Vec3 side_normal(const Cone& cone, const Vec3& radial) {
+    // 10.6  Along the axis the radius grows by (radius_b − radius_a)/(u·u) for each u, and the
+    // normal leans back by as much: it is `radial`, less that much of u, made a unit vector.
+    return todo("10.6");
+}
+
+Surface surface_at(const Cone& cone, const Ray& ray, const Hit& hit) {
+    const Vec3 u = cone.b - cone.a;
+    const Real u2 = dot(u, u), length_of_u = std::sqrt(u2), widening = cone.radius_b - cone.radius_a;
+    // The next ray, which starts here, moves its origin to near a, and what it makes of that and of the cone
+    // has 22 roundings at most, of lengths that are no greater than `reach`; they weigh most, by the square
+    // root of 2, where the side leans by 45 degrees. (tests/stability/solids.hpp counts them.)
+    const Real reach = length_of_u + std::max(cone.radius_a, cone.radius_b), slack = gamma(32) * reach;
+
+    // From a to the hit, along the axis and across it; once more, because the way there may be much longer
+    // than what is left of it.
+    const Vec3 way = (ray.origin - cone.a) + hit.t * ray.direction;
+    Real s = dot(way, u) / u2;
+    Vec3 across = way - s * u;
+    across -= (dot(across, u) / u2) * u;
+    // On the axis itself, at an apex, any direction is as good as another.
+    if (across == Vec3(0)) across = cross(u, std::abs(u.x) < std::abs(u.y) ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
+    const Vec3 radial = normalize(near_one(across));
+
+    // A point within rounding of a rim or an apex is moved into its own face, so that the next ray does not
+    // take it for one that is beyond the other, or beyond the axis.
+    const bool is_side = hit.element == 0;
+    const Real lean = std::abs(widening) / length_of_u, margin = 2 * slack + gamma(8) * size_of(cone.a);
+    const Real least_radius = 2 * (1 + lean) * margin;
+    if (is_side) {
+        Interval part{margin / length_of_u, 1 - margin / length_of_u};
+        if (cone.radius_a < least_radius)
+            part.min = std::max(part.min, (least_radius - cone.radius_a) / widening);
+        if (cone.radius_b < least_radius)
+            part.max = std::min(part.max, (least_radius - cone.radius_a) / widening);
+        s = part.min < part.max ? std::clamp(s, part.min, part.max) : 0.5;
+    } else {
+        s = hit.element == 1 ? 0 : 1;
+    }
+    const Real radius = cone.radius_a + s * widening;
+    const Real distance =
+        is_side ? radius : std::min(length(across), std::max(radius - least_radius, Real(0)));
+
+    Surface surface;
+    surface.normal = is_side ? side_normal(cone, radial) : (hit.element == 1 ? -1 : 1) / length_of_u * u;
+    surface.shading_normal = surface.normal;
+    surface.point = cone.a + s * u + distance * radial;
+    surface.error = gamma(2) * (glm::abs(cone.a) + glm::abs(surface.point)) + Vec3(slack);
+    return surface;
+}
+
+Surface surface_at(const OpenCone& open, const Ray& ray, const Hit& hit) {
+    return surface_at(open.cone, ray, hit);
+}
+
+Bounds bounds_of(const Cone& cone) {
+    const Vec3 u = cone.b - cone.a;
+    const Bounds a = bounds_of(Disc{cone.a, u, cone.radius_a}), b = bounds_of(Disc{cone.b, u, cone.radius_b});
+    return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
+
+Bounds bounds_of(const OpenCone& open) { return bounds_of(open.cone); }
+
+}  // namespace rt

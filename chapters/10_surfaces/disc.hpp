@@ -1,0 +1,24 @@
+// The disc: a plane with a rim.
+#pragma once
+
+#include "common/math/ray.hpp"
+#include "common/scene/shapes.hpp"
+#include "common/world/bounds.hpp"
+#include "common/world/hit.hpp"
+
+#include <optional>
+
+namespace rt {
+
+/// [10.3] Hit of the ray with the disc in (range.min, range.max], or nothing. The rim belongs to the disc; a
+/// ray parallel to it misses it, also one that lies in it.
+std::optional<Hit> intersect(const Disc& disc, const Ray& ray, Interval range);
+
+/// The surface at a hit: as of the plane that the disc lies in. Given.
+Surface surface_at(const Disc& disc, const Ray& ray, const Hit& hit);
+
+/// The smallest box around the disc, up to rounding: along an axis it reaches as far as its radius times the
+/// sine of the angle between the axis and the normal. Given.
+Bounds bounds_of(const Disc& disc);
+
+}  // namespace rt

@@ -1,0 +1,173 @@
+// Surfaces f(x, y, z) = 0 of any f, found for certain: interval arithmetic says where no root can be.
+#include "chapters/10_surfaces/implicit.hpp"
+
+#include "chapters/10_surfaces/surface_around.hpp"
+#include "common/math/error.hpp"
+#include "common/math/todo.hpp"
+#include "common/scene/evaluate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+constexpr Real middle_of(Piece piece) { return piece.low + (piece.high - piece.low) / 2; }
+
+/// f at the points start + λ·way.
+Enclosure enclose(const Formula& f, const Vec3& start, const Vec3& way, const Enclosure& lambda) {
+    const auto at = [&](int i) { return Enclosure{start[i], start[i]} + way[i] * lambda; };
+    return evaluate(f, at(0), at(1), at(2));
+}
+
+using Sloped = Dual<Enclosure, 1>;
+
+/// f with its slope by λ.
+Sloped with_slope(const Formula& f, const Chord& chord, const Enclosure& lambda) {
+    const auto at = [&](int i) {
+        const Real start = chord.start[i], way = chord.way[i];
+        return Sloped{Enclosure{start, start} + way * lambda, {Enclosure{way, way}}};
+    };
+    return evaluate(f, at(0), at(1), at(2));
+}
+
+/// How fast the slope changes.
+Enclosure bend(const Formula& f, const Chord& chord, const Enclosure& lambda) {
+    const auto at = [&](int i) {
+        const Real start = chord.start[i], way = chord.way[i];
+        const Sloped along{Enclosure{way, way}, {Enclosure{0, 0}}};
+        return Dual<Sloped, 1>{{Enclosure{start, start} + way * lambda, {along.value}}, {along}};
+    };
+    return evaluate(f, at(0), at(1), at(2)).slope[0].slope[0];
+}
+
+/// Pieces as short as this whose slope may be 0 are near a touch, or along a line in the surface.
+constexpr Real short_piece = 0x1p-10;
+
+}  // namespace
+
+Certain enclose(const ImplicitLine& line, Piece piece) {
+    const auto& [f, chord] = line;
+    const Enclosure lambda{piece.low, piece.high};
+    const Real m = middle_of(piece);
+    const Enclosure from_middle = lambda - Enclosure{m, m};
+    const Sloped both = with_slope(*f, chord, lambda);
+    Certain certain{both.value, both.slope[0], enclose(*f, chord.start, chord.way, {m, m})};
+    // By the mean value theorem.
+    const auto sharpen = [&](Enclosure& enclosure, const Enclosure& middle, const Enclosure& slope) {
+        if (width_of(slope) < infinity && !is_empty(both.value))
+            enclosure = intersection(enclosure, middle + slope * from_middle);
+    };
+    if (piece.high - piece.low < short_piece && contains(certain.slope, 0))
+        sharpen(certain.slope, with_slope(*f, chord, {m, m}).slope[0], bend(*f, chord, lambda));
+    sharpen(certain.value, certain.middle, certain.slope);
+    return certain;
+}
+
+int side_of(const Enclosure& value) { return is_empty(value) ? 1 : sign_of(value); }
+
+int side_at(const ImplicitLine& line, Real lambda) {
+    return side_of(enclose(*line.f, line.chord.start, line.chord.way, {lambda, lambda}));
+}
+
+bool is_blurred(Piece piece, const Certain& certain) {
+    const Real m = middle_of(piece), length = piece.high - piece.low;
+    const Real slope = width_of(certain.slope), middle = width_of(certain.middle);
+    return length < 0x1p-60 || !(piece.low < m && m < piece.high) || slope * length <= middle ||
+           (slope == infinity && width_of(certain.value) <= 2 * middle);
+}
+
+Piece quartered(const ImplicitLine& line, Piece piece) {
+    const Real quarter = (piece.high - piece.low) / 4;
+    const int before = side_at(line, piece.low);
+    Piece rest = piece;
+    for (const Real lambda : {piece.low + quarter, piece.high - quarter}) {
+        const int side = side_at(line, lambda);
+        if (side == 0 || before == 0) continue;
+        if (side != before) return {rest.low, lambda};
+        rest.low = lambda;
+    }
+    return rest;
+}
+
+std::optional<LineCrossing> first_crossing(const ImplicitLine& line, Interval range) {
+    // 10.9  Keep the pieces that are still to be looked at in a list, the leftmost last; at first
+    // that is the whole chord, {0, 1}. Keep `before`, the last certain side, and `edge`, the λ up to which it
+    // was certain. Take a piece: one that ends at or before range.min is left out, and when the edge is
+    // beyond range.max, all the rest is. If neither the side of its value is certain, nor its slope has a
+    // sign, nor the piece is blurred, put its right half and its left half into the list instead. Otherwise
+    // you get the side after it from its value or at its right end, and if there is no `before` yet, that at
+    // its left end. If both are certain and differ, there is a crossing between the edge and the first λ that
+    // has the new side: return it if its t is in the range.
+    return todo("10.9");
+}
+
+Piece narrowed(const ImplicitLine& line, Piece piece) {
+    // 10.9  Enclose f on the piece. Where its slope cannot be 0: with the middle m, the root is in
+    // m − f(m)/slope, computed with enclosures; keep what of that is in the piece. Where it can, ask
+    // `quartered`. Go on with what is left, but stop when that is empty or not narrower by a fifth.
+    return todo("10.9");
+}
+
+std::optional<Hit> intersect(const Implicit& implicit, const Ray& ray, Interval range) {
+    const std::optional<Chord> part = chord(implicit.box, ray, {0, infinity});
+    if (!part) return std::nullopt;
+    const std::optional<LineCrossing> crossing = first_crossing({implicit.f, *part}, range);
+    return crossing ? std::optional(Hit{.t = crossing->t, .element = surface_face}) : std::nullopt;
+}
+
+std::vector<Span> inside(const Implicit& implicit, const Ray& ray) {
+    constexpr Interval whole{-infinity, infinity};
+    std::vector<Span> spans;
+    const std::optional<Chord> part = chord(implicit.box, ray, whole);
+    if (!part) return spans;
+    const ImplicitLine line{implicit.f, *part};
+    std::optional<LineCrossing> crossing = first_crossing(line, whole);
+    // Where the line comes into the box within rounding of the surface, what follows tells the side.
+    int side = side_at(line, 0);
+    if (side == 0) side = crossing ? -crossing->after : side_at(line, 0.5);
+    const Span box = *inside(implicit.box, ray);
+    Span span = box;
+    // As long as there is a further one, and not the same again.
+    for (Real last = -infinity; crossing && crossing->t > last;
+         crossing = first_crossing(line, {last, infinity})) {
+        last = crossing->t;
+        if (crossing->after < 0)
+            span = {crossing->t, box.leave, surface_face, box.leave_face};
+        else if (side < 0)
+            spans.push_back({span.enter, crossing->t, span.enter_face, surface_face});
+        side = crossing->after;
+    }
+    if (side < 0) spans.push_back(span);
+    return spans;
+}
+
+namespace {
+
+/// The place of the hit on the line, moved along the gradient until f is 0 but for rounding, if that is near.
+Vec3 polished(const Formula& f, Vec3 p, Real near) {
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 g = gradient_at(f, p);
+        const Vec3 step = -value_at(f, p) / dot(g, g) * g;
+        if (!(size_of(step) <= near)) break;
+        p += step;
+    }
+    return p;
+}
+
+}  // namespace
+
+Surface surface_at(const Implicit& implicit, const Ray& ray, const Hit& hit) {
+    if (hit.element != surface_face) return surface_at(implicit.box, ray, hit);
+    const auto& [box, f] = implicit;
+    const Vec3 p = polished(*f, point_in(box, ray, hit.t), 0x1p-20 * size_of(box.high - box.low));
+    const auto side = [&](const Vec3& n, Real low, Real high) {
+        return side_of(enclose({implicit.f, {p, n, 0, 1}}, {low, high}).value);
+    };
+    return surface_around(p, gradient_at(*f, p), ray, box, side);
+}
+
+Bounds bounds_of(const Implicit& implicit) { return {implicit.box.low, implicit.box.high}; }
+
+}  // namespace rt

@@ -1,0 +1,63 @@
+// Real roots of a polynomial, none of them missed.
+#include "chapters/10_surfaces/polynomial.hpp"
+
+#include "common/math/error.hpp"
+
+#include <cmath>
+
+namespace rt {
+
+Real root_between(const Polynomial& p, Real low, Real high) {
+    // [exercise 10.7] Begin in the middle. As long as t is between low and high: evaluate, and let t take the
+    // place of low or of high, so that the change stays between them. Newton's step leads to t − value/slope.
+    // Where it is no longer than 4u|t|, return where it leads to. Take it if it leads between low and high
+    // and is at most half as long as the last step; if not, go to the middle. When nothing is left between,
+    // return t.
+    const bool falls = evaluate(p, low).value > 0;
+    Real t = low + 0.5 * (high - low), last = high - low;
+    while (low < t && t < high) {
+        const auto [value, slope] = evaluate(p, t);
+        ((value > 0) == falls ? low : high) = t;
+        Real step = -value / slope;
+        if (std::abs(step) <= 4 * unit_roundoff * std::abs(t)) return t + step;
+        const bool is_safe = low < t + step && t + step < high && std::abs(step) <= 0.5 * last;
+        if (!is_safe) step = low + 0.5 * (high - low) - t;
+        last = std::abs(step);
+        t += step;
+    }
+    return t;
+    // [/exercise]
+}
+
+SignChanges sign_changes(const Polynomial& p, Real low, Real high) {
+    // [exercise 10.7] Keep a list of places: at first low, those inflections that are strictly between,
+    // ascending, and high. Between neighbours the derivative is monotone. Look at its sign in all the places;
+    // wherever it changes from one place to the next, there is a root_between. The new places are low, these
+    // roots, and high. Between those p itself is monotone; do the same with it. The last places, without low
+    // and high, are the answer.
+    const Roots bends = inflections(p);
+    std::array<Real, 6> places{low};
+    std::size_t count = 1;
+    if (bends.count > 0 && low < bends.t0 && bends.t0 < high) places[count++] = bends.t0;
+    if (bends.count > 1 && low < bends.t1 && bends.t1 < high) places[count++] = bends.t1;
+    places[count++] = high;
+    for (const Polynomial& q : {derivative(p), p}) {
+        std::array<Real, 6> next{low};
+        std::size_t found = 1;
+        bool was_positive = evaluate(q, low).value > 0;
+        for (std::size_t i = 1; i < count; ++i) {
+            const bool is_positive = evaluate(q, places[i]).value > 0;
+            if (is_positive != was_positive) next[found++] = root_between(q, places[i - 1], places[i]);
+            was_positive = is_positive;
+        }
+        next[found++] = high;
+        places = next;
+        count = found;
+    }
+    SignChanges changes{static_cast<int>(count) - 2};
+    for (std::size_t i = 0; i + 2 < count; ++i) changes.t[i] = places[i + 1];
+    return changes;
+    // [/exercise]
+}
+
+}  // namespace rt

@@ -1,0 +1,388 @@
+// Steps 10.9 and 10.10: surfaces f(x, y, z) = 0, by interval arithmetic and by sphere tracing.
+#include "chapters/10_surfaces/implicit.hpp"
+#include "chapters/10_surfaces/sphere_tracing.hpp"
+#include "common/math/error.hpp"
+#include "common/scene/evaluate.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <cmath>
+
+using namespace rt;
+using test::cases;
+using test::Random;
+
+namespace {
+
+const Interval ahead{0, infinity};
+
+Implicit made(const std::string& expression, Real reach = 2) {
+    return {{Vec3(-reach), Vec3(reach)}, std::make_shared<const Formula>(parse_formula(expression))};
+}
+
+/// f of x alone, and λ = x: the chord is the x axis from 0 to 1.
+struct OnUnit {
+    Implicit implicit;
+    ImplicitLine line{implicit.f, {Vec3(0), Vec3(1, 0, 0), 0, 1}};
+    explicit OnUnit(const std::string& expression) : implicit(made(expression)) {}
+};
+
+void check_crossing(const std::string& f, Interval range, Real t, int after, Real error = 0x1p-40) {
+    const OnUnit unit(f);
+    const std::optional<LineCrossing> crossing = first_crossing(unit.line, range);
+    INFO("f = " << f << " for x from 0 to 1, range " << range);
+    INFO("expected a crossing at " << t << ", to side " << after << "; actual " << crossing);
+    REQUIRE(crossing.has_value());
+    CHECK(test::near(crossing->t, t, error));
+    CHECK(crossing->after == after);
+}
+
+void check_no_crossing(const std::string& f, Interval range = ahead) {
+    const OnUnit unit(f);
+    const std::optional<LineCrossing> crossing = first_crossing(unit.line, range);
+    INFO("f = " << f << " for x from 0 to 1, range " << range << "; expected no crossing, actual "
+                << crossing);
+    CHECK_FALSE(crossing.has_value());
+}
+
+void check_narrowed(const std::string& f, Piece piece, Real root, Real width) {
+    const OnUnit unit(f);
+    const Piece actual = narrowed(unit.line, piece);
+    INFO("f = " << f << " between " << piece << ", root " << test::show(root) << "; actual " << actual);
+    CHECK(actual.low <= root);
+    CHECK(root <= actual.high);
+    CHECK(actual.high - actual.low <= width);
+}
+
+void check_hit(const Implicit& implicit, const Ray& ray, Interval range, Real t, Real error = 0x1p-40) {
+    const std::optional<Hit> hit = intersect(implicit, ray, range);
+    INFO(implicit << "\n" << ray << ", range " << range << "; expected t = " << t << ", actual " << hit);
+    REQUIRE(hit.has_value());
+    CHECK(test::near(hit->t, t, error));
+}
+
+void check_miss(const Implicit& implicit, const Ray& ray, Interval range = ahead) {
+    const std::optional<Hit> hit = intersect(implicit, ray, range);
+    INFO(implicit << "\n" << ray << ", range " << range << "; expected no hit, actual " << hit);
+    CHECK_FALSE(hit.has_value());
+}
+
+void check_traced(const Implicit& implicit, Real lipschitz, const Ray& ray, Interval range, Real tolerance,
+                  Real t) {
+    const std::optional<Hit> hit = sphere_trace(implicit, lipschitz, ray, range, tolerance);
+    INFO(implicit << "\n"
+                  << ray << ", range " << range << ", lipschitz " << lipschitz << ", tolerance "
+                  << tolerance);
+    INFO("expected t = " << t << ", actual " << hit);
+    REQUIRE(hit.has_value());
+    CHECK(test::near(hit->t, t, 0x1p-40));
+}
+
+void check_not_traced(const Implicit& implicit, Real lipschitz, const Ray& ray, Interval range,
+                      Real tolerance) {
+    const std::optional<Hit> hit = sphere_trace(implicit, lipschitz, ray, range, tolerance);
+    INFO(implicit << "\n"
+                  << ray << ", range " << range << ", lipschitz " << lipschitz << ", tolerance "
+                  << tolerance);
+    INFO("expected no hit, actual " << hit);
+    CHECK_FALSE(hit.has_value());
+}
+
+const Implicit ball = made("x^2+y^2+z^2-1");
+
+}  // namespace
+
+// ---------------------------------------------------------------------------------------------------- 10.9
+
+TEST_CASE("the lesson's example: x² − x + 2/9", "[10.9]") {
+    check_crossing("x^2-x+2/9", ahead, 1.0 / 3, -1);
+    check_crossing("x^2-x+2/9", {0.5, infinity}, 2.0 / 3, 1);
+    check_narrowed("x^2-x+2/9", {0.25, 0.375}, 1.0 / 3, 0x1p-48);
+}
+
+TEST_CASE("the first of three crossings, where the line goes in", "[10.9]") {
+    // f = −(x − ¼)(x − ½)(x − ⅞) is positive up to ¼, negative from there, positive from ½, negative from ⅞.
+    check_crossing("-(x-1/4)*(x-1/2)*(x-7/8)", ahead, 0.25, -1);
+}
+
+TEST_CASE("a crossing where the line goes out", "[10.9]") { check_crossing("x-3/8", ahead, 0.375, 1); }
+
+TEST_CASE("a crossing before the range is left out, and the next one found", "[10.9]") {
+    check_crossing("-(x-1/4)*(x-1/2)*(x-7/8)", {0.25, infinity}, 0.5, 1);
+    check_crossing("-(x-1/4)*(x-1/2)*(x-7/8)", {0.3, infinity}, 0.5, 1);
+    check_crossing("-(x-1/4)*(x-1/2)*(x-7/8)", {0.75, infinity}, 0.875, -1);
+    check_no_crossing("-(x-1/4)*(x-1/2)*(x-7/8)", {0.9, infinity});
+}
+
+TEST_CASE("a crossing behind the range is none", "[10.9]") {
+    check_no_crossing("x-3/8", {0, 0.25});
+    check_crossing("x-3/8", {0, 0.5}, 0.375, 1);
+}
+
+TEST_CASE("f without a root", "[10.9]") {
+    check_no_crossing("x^2+1/1000");
+    check_no_crossing("x+1");
+    check_no_crossing("sin(x)-2");
+}
+
+TEST_CASE("where f only touches 0, the line does not go in", "[10.9]") {
+    check_no_crossing("(x-1/3)^2");
+    check_no_crossing("-(x-1/2)^2");
+}
+
+TEST_CASE("two roots close to each other are both found", "[10.9]") {
+    // At 1/2 − 1/1024 and 1/2 + 1/1024, between equal steps of 1/100 as a program would take them that knows
+    // no better.
+    check_crossing("(x-1/2)^2-1/1048576", ahead, 0.5 - 0x1p-10, -1);
+    check_crossing("(x-1/2)^2-1/1048576", {0.5, infinity}, 0.5 + 0x1p-10, 1);
+}
+
+TEST_CASE("a threefold root is a crossing", "[10.9]") {
+    // f is (x − ⅓)³, which rounding cannot tell from 0 within 1e-5.
+    check_crossing("x^3-x^2+x/3-1/27", ahead, 1.0 / 3, 1, 1e-4);
+    check_crossing("(x-1/2)^3", ahead, 0.5, 1);
+}
+
+TEST_CASE("a root where the pieces are divided", "[10.9]") {
+    check_crossing("x-1/2", ahead, 0.5, 1);
+    check_crossing("1/4-x", ahead, 0.25, -1);
+    check_crossing("x*(x-1/2)+x/7-1/14", ahead, 0.5, 1);
+}
+
+TEST_CASE("where f jumps from one sign to the other there is a surface", "[10.9]") {
+    check_crossing("1/(x-1/3)", ahead, 1.0 / 3, 1);
+}
+
+TEST_CASE("where f has no value is outside", "[10.9]") {
+    // Negative from ¼ on, where the root begins to have a value.
+    check_crossing("sqrt(x-1/4)-1", ahead, 0.25, -1);
+    check_no_crossing("sqrt(-1-x)-1");
+    // The same where what is made of the root has bounds of its own.
+    check_crossing("sin(sqrt(x-1/4))-2", ahead, 0.25, -1);
+    check_crossing("max(sqrt(x-1/4)-3,-2)", ahead, 0.25, -1);
+    check_crossing("-abs(log(x-1/4))-1", ahead, 0.25, -1);
+}
+
+TEST_CASE("where f is 0 all along, and its slope has no bound, there is no crossing", "[10.9]") {
+    check_miss(made("x*sqrt(abs(y))"), {{-3, 0, 0}, {1, 0, 0}});
+    check_miss(made("sqrt(abs(y))"), {{-3, 0, 0}, {1, 0, 0}});
+}
+
+TEST_CASE("corners of abs, min and max", "[10.9]") {
+    check_crossing("abs(x-1/2)-1/8", ahead, 0.375, -1);
+    check_crossing("abs(x-1/2)-1/8", {0.5, infinity}, 0.625, 1);
+    check_crossing("min(x-1/4,3/4-x)", ahead, 0.25, 1);
+    check_crossing("min(x-1/4,3/4-x)", {0.5, infinity}, 0.75, -1);
+    check_crossing("max(x-3/4,1/4-x)", ahead, 0.25, -1);
+}
+
+TEST_CASE("Newton's method leaves a piece as narrow as rounding allows", "[10.9]") {
+    check_narrowed("x-3/8", {0, 1}, 0.375, 0x1p-48);
+    check_narrowed("x^3+x-1", {0, 1}, 0.6823278038280193, 0x1p-48);
+    check_narrowed("3/8-x", {0.25, 0.5}, 0.375, 0x1p-48);
+}
+
+TEST_CASE("a piece that also has a bottom is narrowed", "[10.9]") {
+    // f goes down to x = 3/8 and then up through 0 at 3/4: its slope is not of one sign from 1/4 to 1.
+    check_narrowed("(x-3/8)^2-9/64", {0.25, 1}, 0.75, 0x1p-46);
+}
+
+TEST_CASE("a ball by its equation", "[10.9]") {
+    check_hit(ball, {{-3, 0, 0}, {1, 0, 0}}, ahead, 2);
+    check_hit(ball, {{-3, 0, 0}, {2, 0, 0}}, ahead, 1);
+    check_hit(ball, {{-3, 0, 0}, {1, 0, 0}}, {2.5, infinity}, 4);
+    check_hit(ball, {{0, 0, 0}, {0, 1, 0}}, ahead, 1);
+    check_hit(ball, {{0, 0.6, 5}, {0, 0, -1}}, ahead, 4.2);
+    check_miss(ball, {{-3, 1.001, 0}, {1, 0, 0}});
+    check_miss(ball, {{-3, 0, 0}, {-1, 0, 0}});
+    check_miss(ball, {{-3, 0, 0}, {1, 0, 0}}, {0, 1.9});
+}
+
+TEST_CASE("what is beyond the box does not belong to the surface, and nor does the box", "[10.9]") {
+    const Implicit half{{Vec3(-2, 0, -2), Vec3(2)}, ball.f};  // the upper half of a ball, open below
+    check_hit(half, {{0, 5, 0}, {0, -1, 0}}, ahead, 4);
+    check_hit(half, {{0, -5, 0}, {0, 1, 0}}, ahead, 6);
+    check_miss(half, {{-5, -0.5, 0}, {1, 0, 0}});
+}
+
+TEST_CASE("a ray that begins on the surface does not hit it there", "[10.9]") {
+    check_miss(ball, {{1, 0, 0}, {1, 0, 0}});
+    check_hit(ball, {{1, 0, 0}, {-1, 0, 0}}, ahead, 2);
+}
+
+TEST_CASE("from 1e8 away", "[10.9]") {
+    check_hit(ball, {{-1e8, 0.5, 0}, {1, 0, 0}}, ahead, 1e8 - std::sqrt(0.75), 1e-7);
+    check_miss(ball, {{-1e8, 1.0001, 0}, {1, 0, 0}});
+}
+
+TEST_CASE("a scene that is scaled by a power of two has the same hits, to the bit", "[10.9]") {
+    Random random(10901);
+    const Implicit heart = made("(x^2+9/4*y^2+z^2-1)^3-x^2*z^3-9/80*y^2*z^3");
+    for (int i = 0; i < cases(300); ++i) {
+        const Vec3 target = random.in_cube();
+        const Ray ray{target + random.magnitude(0, 2) * random.direction(), random.direction()};
+        const Ray here{ray.origin, target - ray.origin};
+        const std::optional<Hit> one = intersect(heart, here, ahead);
+        for (const int k : {-40, 3, 40}) {
+            // In its own space the origin is the same, and only the direction is of another length.
+            const std::optional<Hit> scaled =
+                intersect(heart, {here.origin, std::ldexp(1.0, -k) * here.direction}, ahead);
+            INFO(here << "\nat scale 1: " << one << ", at 2^" << k << ": " << scaled);
+            REQUIRE(one.has_value() == scaled.has_value());
+            if (one) CHECK(scaled->t == std::ldexp(one->t, k));
+        }
+    }
+}
+
+TEST_CASE("the range decides which hit is found, not where it is", "[10.9]") {
+    Random random(10902);
+    const Implicit tangle = made("x^4-5*x^2+y^4-5*y^2+z^4-5*z^2+11.8", 3);
+    int found = 0;
+    for (int i = 0; i < cases(500); ++i) {
+        const Vec3 origin = 8.0 * random.direction();
+        const Ray ray{origin, 2.0 * random.in_cube() - origin};
+        const std::optional<Hit> hit = intersect(tangle, ray, ahead);
+        if (!hit) continue;
+        ++found;
+        const std::optional<Hit> again = intersect(tangle, ray, {hit->t * 0.99, hit->t});
+        INFO(ray << "\nhit " << hit << ", asked again for up to it " << again);
+        REQUIRE(again.has_value());
+        CHECK(again->t == hit->t);
+        const std::optional<Hit> next = intersect(tangle, ray, {hit->t, infinity});
+        if (next) CHECK(next->t > hit->t);
+    }
+    CHECK(found > cases(500) / 10);
+}
+
+TEST_CASE("the parts of a line that are in the solid", "[10.9]") {
+    std::vector<Span> spans;
+    const Implicit half{{Vec3(-2, 0, -2), Vec3(2)}, ball.f};
+    const auto append = [&](const Implicit& implicit, const Ray& ray) {
+        for (const Span& span : inside(implicit, ray)) spans.push_back(span);
+    };
+    append(half, {{0, -5, 0}, {0, 1, 0}});  // in by the box's bottom, out by the ball
+    append(half, {{-5, 0.6, 0}, {1, 0, 0}});
+    append(half, {{-5, 1.5, 0}, {1, 0, 0}});
+    append(made("x*(x-1)*(x+1)"), {{0, 0, 0}, {1, 0, 0}});
+    REQUIRE(spans.size() == 4);
+    const auto check = [&](std::size_t i, Real enter, std::uint32_t enter_face, Real leave,
+                           std::uint32_t leave_face) {
+        INFO(spans[i] << ", expected " << enter << " (face " << enter_face << ") to " << leave << " (face "
+                      << leave_face << ")");
+        CHECK(test::near(spans[i].enter, enter, 0x1p-40));
+        CHECK(test::near(spans[i].leave, leave, 0x1p-40));
+        CHECK(spans[i].enter_face == enter_face);
+        CHECK(spans[i].leave_face == leave_face);
+    };
+    check(0, 5, 2, 6, surface_face);
+    check(1, 4.2, surface_face, 5.8, surface_face);
+    check(2, -2, 0, -1, surface_face);
+    check(3, 0, surface_face, 1, surface_face);
+}
+
+TEST_CASE("the point is on the surface, and the normal leads outward", "[10.9]") {
+    const Ray ray{{-3, 0, 0}, {1, 0, 0}};
+    const Surface surface = surface_at(ball, ray, {.t = 2, .element = surface_face});
+    CHECK(test::near(surface.point, Vec3(-1, 0, 0), 0x1p-50));
+    CHECK(test::near(surface.normal, Vec3(-1, 0, 0), 0x1p-50));
+    CHECK(max_component(surface.error) < 0x1p-45);
+    const Surface inner = surface_at(ball, ray, {.t = 4, .element = surface_face});
+    CHECK(test::near(inner.normal, Vec3(1, 0, 0), 0x1p-50));
+}
+
+TEST_CASE("at the tip of a cone the normal is along the ray, outward", "[10.9]") {
+    const Implicit cone = made("x^2+y^2-z^2");
+    const Ray ray{{-1, 0, 0}, {1, 0, 0}};
+    const Surface surface = surface_at(cone, ray, {.t = 1, .element = surface_face});
+    CHECK(test::near(surface.normal, Vec3(-1, 0, 0), 0x1p-50));
+    CHECK(test::is_finite(surface.error));
+}
+
+TEST_CASE("along a line in the surface, short pieces tell that there is no more to know", "[10.9]") {
+    // Without that, the first hit of such a ray would take 2²⁵ pieces.
+    for (const char* f : {"x^2+y^2-z^2-1", "(x^2+y^2-z^2-1)*(x+y*z+5)"}) {
+        const Implicit surface = made(f);
+        const Ray ray{{1, -5, -5}, {0, 1, 1}};
+        const std::optional<Chord> part = chord(surface.box, ray, ahead);
+        REQUIRE(part.has_value());
+        INFO(f);
+        const ImplicitLine line{surface.f, *part};
+        constexpr int pieces = 1 << 20;
+        for (int i = 0; i < pieces; i += 4099) {
+            const Piece piece{Real(i) / pieces, Real(i + 1) / pieces};
+            const Certain certain = enclose(line, piece);
+            INFO("λ from " << piece.low << " to " << piece.high << ": slope from " << certain.slope.low
+                           << " to " << certain.slope.high);
+            CHECK(is_blurred(piece, certain));
+        }
+    }
+    check_miss(made("x^2+y^2-z^2-1"), {{1, -5, -5}, {0, 1, 1}});
+}
+
+// --------------------------------------------------------------------------------------------------- 10.10
+
+TEST_CASE("where |f| is the distance, one step leads to the surface", "[10.10]") {
+    const Implicit wall = made("x-1");
+    check_traced(wall, 1, {{-2, 0, 0}, {1, 0, 0}}, ahead, 0x1p-50, 3);
+    check_traced(wall, 1, {{-2, 0, 0}, {0.25, 0, 0}}, ahead, 0x1p-50, 12);
+    check_traced(wall, 1, {{1.5, 0, 0}, {-1, 0, 0}}, ahead, 0x1p-50, 0.5);
+}
+
+TEST_CASE("steps are |f| over the Lipschitz bound", "[10.10]") {
+    // With twice the bound that it needs, each step covers half of what is left: from 3 away it stops at
+    // 3·2^-k, as soon as half of that is no more than the tolerance.
+    const Implicit wall = made("x-1");
+    check_traced(wall, 2, {{-2, 0, 0}, {1, 0, 0}}, ahead, 0.1, 3 - 3.0 / 16);
+    check_traced(wall, 2, {{-2, 0, 0}, {2, 0, 0}}, ahead, 0.1, 1.5 - 3.0 / 32);
+    check_traced(made("4*x-4"), 8, {{-2, 0, 0}, {1, 0, 0}}, ahead, 0.1, 3 - 3.0 / 16);
+}
+
+TEST_CASE("a ray beside the surface leaves the box", "[10.10]") {
+    check_not_traced(ball, 7, {{-3, 1.5, 0}, {1, 0, 0}}, ahead, 1e-6);
+    check_not_traced(ball, 7, {{-3, 0, 0}, {-1, 0, 0}}, ahead, 1e-6);
+    check_not_traced(ball, 7, {{-3, 5, 0}, {1, 0, 0}}, ahead, 1e-6);
+}
+
+TEST_CASE("sphere tracing begins and ends where the range does", "[10.10]") {
+    check_not_traced(ball, 7, {{-3, 0, 0}, {1, 0, 0}}, {0, 1.5}, 1e-6);
+    check_not_traced(ball, 7, {{-3, 0, 0}, {1, 0, 0}}, {4.5, infinity}, 1e-6);
+    const std::optional<Hit> far_side = sphere_trace(ball, 7, {{-3, 0, 0}, {1, 0, 0}}, {2.5, infinity}, 1e-9);
+    REQUIRE(far_side.has_value());
+    CHECK(test::near(far_side->t, 4, 1e-7));
+}
+
+TEST_CASE("without a tolerance sphere tracing goes on until a step changes nothing", "[10.10]") {
+    const std::optional<Hit> hit = sphere_trace(ball, 7, {{-3, 0, 0}, {1, 0, 0}}, ahead, 0);
+    REQUIRE(hit.has_value());
+    CHECK(test::near(hit->t, 2, 0x1p-44));
+}
+
+TEST_CASE("where f has no value the trace ends", "[10.10]") {
+    check_not_traced(made("sqrt(-1-x)"), 1, {{0, 0, 0}, {1, 0, 0}}, ahead, 1e-6);
+}
+
+TEST_CASE("sphere tracing never steps over a crossing", "[10.10]") {
+    Random random(101001);
+    const Implicit torus = made("(x^2+y^2+z^2+3/4)^2-4*(x^2+y^2)");
+    const Real lipschitz = lipschitz_bound(torus);
+    int both = 0;
+    for (int i = 0; i < cases(300); ++i) {
+        const Vec3 origin = 5.0 * random.direction();
+        const Ray ray{origin, 1.5 * random.in_cube() - origin};
+        const std::optional<Hit> exact = intersect(torus, ray, ahead);
+        const std::optional<Hit> traced = sphere_trace(torus, lipschitz, ray, ahead, 1e-4);
+        INFO(ray << "\nby intervals " << exact << ", by spheres " << traced);
+        if (exact) REQUIRE(traced.has_value());
+        if (exact) CHECK(traced->t <= exact->t + 0x1p-30);
+        both += exact && traced;
+    }
+    CHECK(both > cases(300) / 10);
+}
+
+TEST_CASE("the Lipschitz bound is one, and not much more", "[10.10]") {
+    CHECK(lipschitz_bound(made("3*x-4*z")) >= 5);
+    CHECK(lipschitz_bound(made("3*x-4*z")) < 5.001);
+    CHECK(lipschitz_bound(ball) >= 2 * std::sqrt(12.0));
+    CHECK(lipschitz_bound(ball) < 7);
+    CHECK(lipschitz_bound(made("sqrt(x)")) == infinity);
+}
