@@ -17,7 +17,7 @@ set key at screen 0.55,0.015 center bottom vertical maxrows 3 samplen 1 font ',1
 is_of(color) = strcol(1) eq shape && column(11) == color
 color_of(color) = word(red.' '.orange.' '.blue.' '.green.' '.violet, color)
 # Beside its point stands what a method computes with: the textbook's on the left, the course's on the right.
-is_named(color) = is_of(color) && strstrt(several, color.' ') > 0
+is_named(color) = is_of(color) && strstrt(several, sprintf('%d ', color)) > 0
 
 plot for [i=1:words(colors)] 'kernels.csv' skip 1 using 4:(is_of(word(colors, i) + 0) ? $7 : NaN) \
          with points pointtype 7 linecolor rgb color_of(word(colors, i) + 0) title word(names, i), \
