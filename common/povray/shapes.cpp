@@ -2,6 +2,7 @@
 // as most shapes are, lengths, places and inside. To add a shape, add a section.
 #include "common/povray/shapes.hpp"
 
+#include "common/povray/formula.hpp"
 #include "common/povray/placement.hpp"
 #include "common/povray/refuse.hpp"
 #include "common/povray/writer.hpp"
@@ -368,88 +369,14 @@ bool contains(const Scene&, const Torus& torus, const Vec3& p) {
 
 // Implicit surface ------------------------------------------------------------------------------------------
 
-/// Least in front: what stands beside an operator is put in parentheses where it binds less.
-enum class Binds { Sum, Product, Sign, Alone };
-
-struct Term {
-    std::string text;
-    Binds binds = Binds::Alone;
-
-    std::string at_least(Binds binds_least) const { return binds < binds_least ? "(" + text + ")" : text; }
-};
-
-/// The text of the program's last operation, whose numbers are the last terms.
-Term term_of(const Instruction& step, std::span<const Term> terms) {
-    const auto call = [&](std::string_view name) {
-        return Term{fmt::format("{}({})", name, terms.back().text)};
-    };
-    const auto pair = [&](std::string_view name) {
-        return Term{fmt::format("{}({}, {})", name, terms[terms.size() - 2].text, terms.back().text)};
-    };
-    const auto between = [&](std::string_view sign, Binds binds) {
-        const Binds after =
-            sign == "+" || sign == "*" ? binds : static_cast<Binds>(static_cast<int>(binds) + 1);
-        return Term{terms[terms.size() - 2].at_least(binds) + fmt::format(" {} ", sign) +
-                        terms.back().at_least(std::max(after, binds)),
-                    binds};
-    };
-    switch (step.operation) {
-        case Operation::Constant:
-            return {number(step.constant), step.constant < 0 ? Binds::Sum : Binds::Alone};
-        case Operation::X:
-            return {"x"};
-        case Operation::Y:
-            return {"y"};
-        case Operation::Z:
-            return {"z"};
-        case Operation::Negate:
-            return {"-" + terms.back().at_least(Binds::Alone), Binds::Sum};
-        case Operation::Power:
-            return {fmt::format("pow({}, {})", terms.back().text, step.exponent)};
-        case Operation::SquareRoot:
-            return call("sqrt");
-        case Operation::Exponential:
-            return call("exp");
-        case Operation::Logarithm:
-            return call("ln");
-        case Operation::Sine:
-            return call("sin");
-        case Operation::Cosine:
-            return call("cos");
-        case Operation::Absolute:
-            return call("abs");
-        case Operation::Add:
-            return between("+", Binds::Sum);
-        case Operation::Subtract:
-            return between("-", Binds::Sum);
-        case Operation::Multiply:
-            return between("*", Binds::Product);
-        case Operation::Divide:
-            return between("/", Binds::Product);
-        case Operation::Minimum:
-            return pair("min");
-        case Operation::Maximum:
-            return pair("max");
-    }
-    return {};
-}
-
-std::string function_of(const Formula& f) {
-    std::vector<Term> terms;
-    for (const Instruction& step : f.steps) {
-        const Term term = term_of(step, terms);
-        const std::size_t taken = step.operation <= Operation::Z    ? 0
-                                  : step.operation < Operation::Add ? 1
-                                                                    : 2;
-        terms.resize(terms.size() - taken);
-        terms.push_back(term);
-    }
-    return terms.back().text;
-}
-
 /// POV-Ray looks for roots only where the function, changing by no more than max_gradient, may have one, and
 /// takes longer the greater that is. So it gets as little of the box as has an inside.
-std::string isosurface(const Scene& scene, const Implicit& implicit) {
+struct Searched {
+    Box box;
+    Real gradient = 0;  ///< no greater one is there
+};
+
+Searched searched(const Scene& scene, const Implicit& implicit) {
     const auto& [box, f] = implicit;
     const PartOfBox inner = not_positive(*f, box.low, box.high);
     const Box part = inner.low.x < inner.high.x ? Box{inner.low, inner.high} : box;
@@ -458,14 +385,37 @@ std::string isosurface(const Scene& scene, const Implicit& implicit) {
         refuse(scene,
                "its isosurfaces need a bound of the function's gradient, and one of an implicit surface has "
                "none");
+    return {part, gradient};
+}
+
+std::string isosurface(const Implicit& implicit, const Searched& part) {
     return fmt::format(
         "isosurface {{ function {{ {} }} contained_by {{ box {{ {}, {} }} }} accuracy {:.3g} "
         "max_gradient {:.6g}",
-        function_of(*f), triple(part.low), triple(part.high), 1e-7 * size_of(part.high - part.low), gradient);
+        function_of(*implicit.f), triple(part.box.low), triple(part.box.high),
+        1e-7 * size_of(part.box.high - part.box.low), part.gradient);
 }
 
+std::string polynomial(const PolynomialTerms& terms) {
+    std::vector<std::string> texts;
+    for (const auto& [e, coefficient] : terms)
+        texts.push_back(fmt::format("xyz({}, {}, {}): {}", e[0], e[1], e[2], number(coefficient)));
+    return fmt::format("polynomial {{ {}, {} sturm", degree_of(terms), fmt::join(texts, ", "));
+}
+
+/// POV-Ray's isosurface takes minutes where f is flat near 0 and steep elsewhere: from a tenth of the points
+/// in the box, a step of |f| over the greatest gradient is then less than this part of it. A polynomial is
+/// solved instead, which is fast, but not as good.
+constexpr Real shortest_step = 1 / 2e4;
+
 std::string open_statement(const Scene& scene, const Implicit& implicit) {
-    return isosurface(scene, implicit) + " open";
+    const Searched part = searched(scene, implicit);
+    if (small_value(*implicit.f, part.box.low, part.box.high) <
+        shortest_step * part.gradient * size_of(part.box.high - part.box.low))
+        if (const auto terms = terms_of(*implicit.f))
+            return fmt::format("{} clipped_by {{ box {{ {}, {} }} }}", polynomial(*terms),
+                               triple(implicit.box.low), triple(implicit.box.high));
+    return isosurface(implicit, part) + " open";
 }
 
 std::string with_uv(const Scene& scene, const Implicit& implicit, const std::string& transform) {
@@ -537,7 +487,8 @@ const Object& part_of(const Scene& scene, std::uint32_t part) { return scene.par
 
 /// Where a solid is part of another, a surface that ends at a box is closed by it.
 std::string closed_statement(const Scene& scene, const Object& part) {
-    if (const auto* implicit = std::get_if<Implicit>(&part.shape)) return isosurface(scene, *implicit);
+    if (const auto* implicit = std::get_if<Implicit>(&part.shape))
+        return isosurface(*implicit, searched(scene, *implicit));
     if (const auto* q = std::get_if<Quadric>(&part.shape))
         return fmt::format("intersection {{ {} }} box {{ {}, {} }}", unclipped(*q), triple(q->box.low),
                            triple(q->box.high));

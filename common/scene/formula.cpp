@@ -154,10 +154,8 @@ struct Reader {
     /// Where the program of the last number but one ends: in front of as many steps as make one number.
     std::size_t end_of_base() const {
         std::size_t i = steps.size();
-        for (int missing = 1; missing > 0;) {
-            const Operation operation = steps[--i].operation;
-            missing += operation >= Operation::Add ? 1 : operation <= Operation::Z ? -1 : 0;
-        }
+        for (int missing = 1; missing > 0;)
+            missing += static_cast<int>(numbers_taken(steps[--i].operation)) - 1;
         return i;
     }
 

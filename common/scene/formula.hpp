@@ -36,6 +36,11 @@ enum class Operation : std::uint8_t {
     Maximum,
 };
 
+/// How many numbers it takes off the stack.
+constexpr std::size_t numbers_taken(Operation operation) {
+    return operation <= Operation::Z ? 0 : operation < Operation::Add ? 1 : 2;
+}
+
 struct Instruction {
     Operation operation = Operation::Constant;
     int exponent = 0;
@@ -70,7 +75,7 @@ Formula parse_formula(std::string_view text);
 /// f(p/factor): the same function of space in another unit.
 Formula in_other_unit(const Formula& f, Real factor);
 
-// What interval arithmetic says of f in a box, which is cut into 16³ parts.
+// What is known of f in a box, which is cut into 16³ parts; as a rule by interval arithmetic.
 
 /// A number that the gradient of f exceeds nowhere in the box, so that f changes by no more than that per
 /// unit of length; infinity where none was found, as of sqrt(x) near 0.
@@ -82,6 +87,9 @@ struct PartOfBox {
     Vec3 low{infinity}, high{-infinity};
 };
 PartOfBox not_positive(const Formula& f, const Vec3& low, const Vec3& high);
+
+/// What |f| is less than in the middle of only a tenth of the parts; 0 where it has no value in any.
+Real small_value(const Formula& f, const Vec3& low, const Vec3& high);
 
 /// What it owns in memory.
 inline std::size_t bytes_of(const Formula& f) { return f.steps.size() * sizeof(Instruction) + f.text.size(); }

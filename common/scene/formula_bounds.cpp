@@ -1,8 +1,9 @@
-// What interval arithmetic says of an expression in a box.
+// What is known of an expression in a box, as a rule by interval arithmetic.
 #include "common/scene/evaluate.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace rt {
 namespace {
@@ -42,6 +43,19 @@ PartOfBox not_positive(const Formula& f, const Vec3& low, const Vec3& high) {
         part.high = glm::max(part.high, Vec3(x.high, y.high, z.high));
     });
     return part;
+}
+
+Real small_value(const Formula& f, const Vec3& low, const Vec3& high) {
+    const auto middle = [](const Enclosure& a) { return a.low + (a.high - a.low) / 2; };
+    std::vector<Real> values;
+    for_parts(low, high, [&](const Enclosure& x, const Enclosure& y, const Enclosure& z) {
+        const Real value = std::abs(value_at(f, Vec3(middle(x), middle(y), middle(z))));
+        if (!std::isnan(value)) values.push_back(value);
+    });
+    if (values.empty()) return 0;
+    const auto tenth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
+    std::ranges::nth_element(values, tenth);
+    return *tenth;
 }
 
 }  // namespace rt

@@ -136,6 +136,24 @@ TEST_CASE("a surface that ends at a box is open there, and closed where it is pa
     CHECK_FALSE(contains(text, " open"));
 }
 
+TEST_CASE("a polynomial that is flat near 0 and steep elsewhere is multiplied out", "[export]") {
+    const auto implicit = [](const std::string& f) {
+        return exported("integrator flat\nimplicit -2 -2 -2 2 2 2 " + f + "\n");
+    };
+    const std::string heart = implicit("(x^2+9/4*y^2+z^2-1)^3-x^2*z^3-9/80*y^2*z^3");
+    INFO(heart);
+    CHECK(contains(heart, "polynomial { 6, xyz(0, 0, 0): -1, xyz(0, 0, 2): 3, "));
+    CHECK(contains(heart, "xyz(0, 2, 3): -0.1125, "));
+    CHECK(contains(heart, "xyz(2, 0, 3): -1, "));
+    CHECK(contains(heart, "xyz(2, 4, 0): 15.1875, "));  // 3·(9/4)²
+    CHECK(contains(heart, " sturm clipped_by { box {"));
+    CHECK(contains(implicit("-(x/2-y)*(x/2-y)*(x/2-y)*(1-x^2)"), "polynomial { 5, "));
+    // Neither flat, or no polynomial.
+    CHECK(contains(implicit("x^2+y^2+z^2-1"), "isosurface {"));
+    CHECK(contains(implicit("(x^2+y^2+z^2-1)^3+exp(-9*x^2)/1000000"), "isosurface {"));
+    CHECK(contains(implicit("(x^2+y^2+z^2-1)^7/(x^2+1)"), "isosurface {"));
+}
+
 TEST_CASE("a transform is written column by column, before the texture", "[export]") {
     const std::string text = exported("integrator flat\ntranslate 1 2 3\nscale 2 4 8\nsphere 0 0 0 1\n");
     INFO(text);

@@ -88,18 +88,14 @@ Polynomial operation(const Instruction& step, const std::vector<Polynomial>& sta
     }
 }
 
-/// How many numbers a step takes off the stack.
-std::size_t taken_by(const Instruction& step) {
-    return step.operation <= Operation::Z ? 0 : step.operation < Operation::Add ? 1 : 2;
-}
-
 Polynomial on_line(const Formula& f, const Vec3& start, const Vec3& way) {
     std::vector<Polynomial> stack;
     for (const Instruction& step : f.steps) {
         if (stack.empty()) stack.reserve(most_numbers + 1);
-        Polynomial result = taken_by(step) == 0 ? operation(step, std::vector<Polynomial>(1), start, way)
-                                                : operation(step, stack, start, way);
-        stack.resize(stack.size() - taken_by(step));
+        Polynomial result = numbers_taken(step.operation) == 0
+                                ? operation(step, std::vector<Polynomial>(1), start, way)
+                                : operation(step, stack, start, way);
+        stack.resize(stack.size() - numbers_taken(step.operation));
         stack.push_back(std::move(result));
     }
     if (sign_of(stack[0].divisor) > 0) return stack[0];
@@ -143,7 +139,7 @@ Real magnitude(const Formula& f, const Vec3& sizes) {
             default:
                 result = last;
         }
-        stack.resize(stack.size() - taken_by(step));
+        stack.resize(stack.size() - numbers_taken(step.operation));
         stack.push_back(result);
     }
     return stack[0];
