@@ -2,6 +2,7 @@
 // numbers.
 #pragma once
 
+#include "common/math/error.hpp"
 #include "common/math/input_error.hpp"
 #include "common/math/ray.hpp"
 
@@ -49,6 +50,9 @@ std::string error_of(Action action) {
     return "";
 }
 
+/// All that is in front of a ray.
+inline constexpr Interval ahead{0, infinity};
+
 inline bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -82,7 +86,15 @@ struct Random {
     std::size_t index(std::size_t count) { return static_cast<std::size_t>(engine() % count); }
     /// 1 or -1.
     Real sign() { return index(2) == 0 ? -1 : 1; }
+    /// 1, or up to 80 ulps more or less.
+    Real nudge() { return 1 + std::floor(uniform(-80, 81)) * 2 * unit_roundoff; }
 };
+
+/// A ray to the target, from `distance` away in any direction; its t there is from a half to 2.
+inline Ray towards(Random& random, const Vec3& target, Real distance) {
+    const Vec3 origin = target - distance * random.direction();
+    return {origin, (target - origin) * (random.uniform(0.5, 2) / distance)};
+}
 
 /// What `make(random)` returns, `count` times.
 template <class Make>

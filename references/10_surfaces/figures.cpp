@@ -347,9 +347,7 @@ using Inside = TorusSpans (*)(const Torus&, const Ray&);
 
 /// The quartic expanded at the eye, but solved with certainty.
 TorusSpans solved_at_the_eye(const Torus& torus, const Ray& ray) {
-    const Real distance = length(torus.center - ray.origin), reach = torus.ring + torus.tube;
-    const SignChanges changes =
-        sign_changes(naive::torus_quartic(torus, ray), distance - 2 * reach, distance + 2 * reach);
+    const SignChanges changes = naive::crossings_from_the_eye(torus, ray, sign_changes);
     TorusSpans spans;
     for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(changes.count); i += 2)
         spans.spans[static_cast<std::size_t>(spans.count++)] = {changes.t[i], changes.t[i + 1]};

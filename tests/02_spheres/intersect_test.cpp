@@ -9,13 +9,13 @@
 #include <string>
 
 using namespace rt;
+using test::ahead;
 using test::cases;
 using test::Random;
 
 namespace {
 
 const Sphere unit_sphere{{0, 0, 0}, 1};
-const Interval ahead{0, infinity};
 
 struct Case {
     Sphere sphere;

@@ -9,13 +9,13 @@
 #include <vector>
 
 using namespace rt;
+using test::ahead;
 using test::cases;
 using test::Random;
 
 namespace {
 
 const Ray down_z{{0, 0, 10}, {0, 0, -1}};
-const Interval ahead{0, infinity};
 
 void check_nearest(const std::vector<Sphere>& spheres, const Ray& ray, Interval range,
                    std::uint32_t primitive, Real t) {

@@ -13,14 +13,13 @@
 #include <cmath>
 
 using namespace rt;
+using test::ahead;
 using test::cases;
 using test::demanded;
 using test::Random;
 using test::show;
 
 namespace {
-
-const Interval ahead{0, infinity};
 
 Transform transform(const Mat4& m) {
     const std::optional<Mat4> back = inverse(m);

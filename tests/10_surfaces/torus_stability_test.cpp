@@ -1,9 +1,8 @@
 // Chapter 10's quartics and tori against exact arithmetic, on cases made to break them.
 // Demands: tests/stability/tori.hpp and leaving.hpp.
+#include "tests/10_surfaces/check_families.hpp"
 #include "tests/oracle/polynomial.hpp"
 #include "tests/oracle/torus.hpp"
-#include "tests/stability/check.hpp"
-#include "tests/stability/leaving.hpp"
 
 using namespace rt;
 using namespace rt::stability;
@@ -22,34 +21,30 @@ Tally tally("10 tori");
 TEST_CASE("the roots of extreme quartics are all found", "[10.7][stability]") {
     for (const PolynomialFamily& family : polynomial_families()) {
         const auto questions = family.make(how_many(tally, cases_a_family), seed);
+        const auto tenth = a_tenth(questions, cases_a_family);
         const auto stable = [](const PolynomialCase& q) { return sign_changes(q.polynomial, q.low, q.high); };
         const auto naive = [](const PolynomialCase& q) {
             return naive::sign_changes(q.polynomial, q.low, q.high);
         };
-        check(tally, family.name, judge(questions, ask<SignChanges>(questions, stable)),
-              judge(some(questions), ask<SignChanges>(some(questions), naive)));
+        check_family(tally, family.name, judge(questions, ask<SignChanges>(questions, stable)),
+                     judge(tenth, ask<SignChanges>(tenth, naive)));
     }
 }
 
 TEST_CASE("what is inside a torus is right on extreme cases", "[10.8][stability]") {
     for (const TorusFamily& family : torus_families()) {
         const auto questions = family.make(how_many(tally, cases_a_family), seed);
+        const auto tenth = a_tenth(questions, cases_a_family);
         const auto stable = [](const TorusCase& q) { return inside(q.torus, q.ray); };
         const auto naive = [](const TorusCase& q) { return naive::inside(q.torus, q.ray); };
-        check(tally, family.name, judge(questions, ask<TorusSpans>(questions, stable)),
-              judge(some(questions), ask<TorusSpans>(some(questions), naive)));
+        check_family(tally, family.name, judge(questions, ask<TorusSpans>(questions, stable)),
+                     judge(tenth, ask<TorusSpans>(tenth, naive)));
     }
 }
 
 TEST_CASE("rays that leave a torus start outside of it, or inside, and then meet what is there",
           "[10.8][stability]") {
-    for (const TorusFamily& family : torus_families()) {
-        const Verdict verdict = leave(family.make(how_many(tally, cases_a_family), seed + 1), seed);
-        add(tally.stable, verdict);
-        INFO(family.name << ": " << describe(verdict));
-        CHECK(verdict.mismatches == 0);
-        CHECK(verdict.cases > 0);
-    }
+    check_leaving(tally, torus_families(), cases_a_family, seed);
 }
 
 TEST_CASE("the judge of quartics, by hand", "[stability]") {

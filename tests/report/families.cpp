@@ -431,11 +431,11 @@ void add_grids(std::vector<Task>& tasks, std::size_t cases) {
 }
 
 template <class Shape>
-void add_solids(std::vector<Task>& tasks, std::size_t cases, const char* what, const char* textbook,
-                std::span<const SolidFamily<Shape>> families) {
+void add_solids(std::vector<Task>& tasks, std::size_t cases, const char* what, const char* demand,
+                const char* textbook, std::span<const SolidFamily<Shape>> families) {
     for (const SolidFamily<Shape>& family : families)
         tasks.push_back(
-            {{"10", what, family.name, "the data moved by 8u", "η = 8u(|f| + size)", textbook, {}, {}},
+            {{"10", what, family.name, "the data moved by 8u", demand, textbook, {}, {}},
              cases,
              usual_part,
              ask<OptionalHit>(
@@ -478,9 +478,11 @@ void add_leaving(std::vector<Task>& tasks, std::size_t cases, const char* what,
 }
 
 void add_surfaces(std::vector<Task>& tasks, std::size_t cases) {
-    add_solids(tasks, cases, "hit with a box", "slabs by 1/d", box_families());
-    add_solids(tasks, cases, "hit with a disc", "the point in the world", disc_families());
-    add_solids(tasks, cases, "hit with a cone or cylinder", "side and caps by themselves", cone_families());
+    add_solids(tasks, cases, "hit with a box", "4u|t|", "slabs by 1/d", box_families());
+    add_solids(tasks, cases, "hit with a disc", "η = 8u(|f| + radius)", "the point in the world",
+               disc_families());
+    add_solids(tasks, cases, "hit with a cone or cylinder", "η = 8u(|f| + 5·size)",
+               "side and caps by themselves", cone_families());
     for (const PolynomialFamily& family : polynomial_families())
         tasks.push_back(
             {{"10",
@@ -513,7 +515,7 @@ void add_surfaces(std::vector<Task>& tasks, std::size_t cases) {
                              [](const TorusCase& q) { return naive::inside(q.torus, q.ray); })});
     add_in_box(tasks, cases, "first crossing of an implicit surface", "f within rounding of 0", "|f| ≤ 3β",
                "100 equal steps", implicit_families());
-    add_in_box(tasks, cases, "hit with a quadric", "coefficients moved by 32u", "|f| ≤ 3β",
+    add_in_box(tasks, cases, "hit with a quadric", "coefficients moved by 96u", "|f| ≤ 3β",
                "h² − ac at the eye", quadric_families());
     add_leaving(tasks, cases, "leaving a box", box_families());
     add_leaving(tasks, cases, "leaving a cone or cylinder", cone_families());

@@ -50,10 +50,9 @@ Answer equal_steps(const ImplicitCase& q) {
     return answer_of(naive::march(q.shape, q.ray, ahead, steps));
 }
 
-/// The heart in a box that is tight, which is good for sphere tracing; all methods get it.
+/// All methods get the tight box.
 const Implicit& heart() {
-    static const Implicit one{{{-1.25, -0.75, -1.1}, {1.25, 0.75, 1.3}},
-                              stability::surface(stability::known_surfaces()[0]).f};
+    static const Implicit one = stability::tight_heart();
     return one;
 }
 

@@ -20,11 +20,8 @@ Answer first_of(const TorusSpans& spans) { return spans.count > 0 ? hit_at(spans
 /// The first root of the quartic by a method, expanded at the eye or near the torus.
 using Solve = SignChanges (*)(const Polynomial&, Real, Real);
 Answer at_the_eye(const TorusCase& q, Solve solve) {
-    const Real speed = length(q.ray.direction), size = q.torus.ring + q.torus.tube;
-    const Real middle = length(q.ray.origin - q.torus.center);
-    const SignChanges roots =
-        solve(naive::torus_quartic(q.torus, q.ray), middle - 2 * size, middle + 2 * size);
-    return roots.count > 0 ? hit_at(roots.t[0] / speed) : Answer{};
+    const SignChanges roots = naive::crossings_from_the_eye(q.torus, q.ray, solve);
+    return roots.count > 0 ? hit_at(roots.t[0]) : Answer{};
 }
 Answer near_the_torus(const TorusCase& q, Solve solve) {
     const std::optional<TorusLine> line = torus_line(q.torus, q.ray);

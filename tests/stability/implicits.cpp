@@ -11,14 +11,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 namespace rt::stability {
 namespace {
 
 using test::many;
 using test::Random;
+using test::towards;
 
 constexpr KnownSurface known[] = {
     {"the heart (Taubin 1993)", "(x^2+9/4*y^2+z^2-1)^3-x^2*z^3-9/80*y^2*z^3", 2},
@@ -37,10 +40,6 @@ constexpr KnownSurface known[] = {
     {"Kummer's surface", "(x^2+y^2+z^2-1.5^2)^2-3.5*((1-z)^2-2*x^2)*((1+z)^2-2*y^2)", 2},
 };
 
-Implicit made(const std::string& expression, Real reach) {
-    return {{Vec3(-reach), Vec3(reach)}, std::make_shared<const Formula>(parse_formula(expression))};
-}
-
 const Implicit& one_of_all(Random& random) {
     static const std::vector<Implicit> all = [] {
         std::vector<Implicit> made_surfaces;
@@ -52,11 +51,6 @@ const Implicit& one_of_all(Random& random) {
 const Implicit& heart() {
     static const Implicit one = surface(known[0]);
     return one;
-}
-
-Ray towards(Random& random, const Vec3& target, Real distance) {
-    const Vec3 origin = target - distance * random.direction();
-    return {origin, (target - origin) * (random.uniform(0.5, 2) / distance)};
 }
 
 using Implicits = std::vector<SolidCase<Implicit>>;
@@ -95,7 +89,7 @@ Implicits cusps(std::size_t count, std::uint64_t seed) {
     return many(count, seed, [](Random& random) {
         const Vec3 edge(0, 0, random.uniform(-1, 1));
         const Vec3 beside = random.index(3) == 0 ? Vec3(0) : random.magnitude(-12, -1) * random.in_cube();
-        static const Implicit cusp = made("x^3-y^2", 1);
+        static const Implicit cusp = surface_of("x^3-y^2", 1);
         return SolidCase<Implicit>{cusp, towards(random, edge + beside, random.magnitude(-1, 1))};
     });
 }
@@ -104,14 +98,14 @@ Implicits cusps(std::size_t count, std::uint64_t seed) {
 Implicits double_roots(std::size_t count, std::uint64_t seed) {
     return many(count, seed, [](Random& random) {
         const Real gap = random.index(4) == 0 ? 0 : random.magnitude(-17, -2);
-        const Implicit shells = made(fmt::format("(x^2+y^2+z^2-1)^2-{}", gap), 1.25);
+        const Implicit shells = surface_of(fmt::format("(x^2+y^2+z^2-1)^2-{}", gap), 1.25);
         return SolidCase<Implicit>{shells, towards(random, random.in_cube(), random.magnitude(-1, 1))};
     });
 }
 
 /// To the tube of a torus, or to a ball, at r(1 + k ulp).
 Implicits tangents(std::size_t count, std::uint64_t seed) {
-    static const Implicit ball = made("x^2+y^2+z^2-1", 1.25), torus = surface(known[2]);
+    static const Implicit ball = surface_of("x^2+y^2+z^2-1", 1.25), torus = surface(known[2]);
     return many(count, seed, [](Random& random) {
         const bool is_ball = random.index(2) == 0;
         const Vec3 n = random.direction();
@@ -133,8 +127,8 @@ Implicits inside(std::size_t count, std::uint64_t seed) {
 }
 
 constexpr std::array<SolidFamily<Implicit>, 7> implicits{{
-    {"the catalogue", all_surfaces},
-    {"the heart from 1 to 1e8 away", far},
+    {"the catalogue", all_surfaces, false},
+    {"the heart from 1 to 1e8 away", far, false},
     {"thin lobes of the heart", lobes},
     {"through a cuspidal edge", cusps},
     {"double roots, and pairs as close as 1e-9", double_roots},
@@ -180,7 +174,7 @@ Quadrics tangent_quadrics(std::size_t count, std::uint64_t seed) {
     return many(count, seed, [](Random& random) {
         const Vec3 axes(random.magnitude(-1, 0), random.magnitude(-1, 0), random.magnitude(-1, 0));
         const Vec3 n = random.direction(), d = axes * random.perpendicular_to(n);
-        const Vec3 point = axes * n * (1 + std::floor(random.uniform(-80, 81)) * 2 * unit_roundoff);
+        const Vec3 point = axes * n * random.nudge();
         return SolidCase<Quadric>{{Real(1) / (axes * axes), Vec3(0), Vec3(0), -1, {Vec3(-2), Vec3(2)}},
                                   {point - random.magnitude(-1, 1) * d, d}};
     });
@@ -197,8 +191,8 @@ Quadrics apexes(std::size_t count, std::uint64_t seed) {
 
 constexpr std::array<SolidFamily<Quadric>, 4> quadrics{{
     {"all kinds, from 1 to 1e8 away", far_quadrics},
-    {"1e-5 times as large as the box", small_quadrics},
-    {"nearly tangent rays", tangent_quadrics},
+    {"1e-5 to 1 times as large as half the box", small_quadrics},
+    {"nearly tangent rays", tangent_quadrics, false},
     {"through the tip of a cone", apexes},
 }};
 
@@ -270,7 +264,15 @@ Verdict judge_leaving_in_box(const LeavingRays<SolidCase<Shape>>& rays,
 std::span<const SolidFamily<Implicit>> implicit_families() { return implicits; }
 std::span<const SolidFamily<Quadric>> quadric_families() { return quadrics; }
 std::span<const KnownSurface> known_surfaces() { return known; }
-Implicit surface(const KnownSurface& one) { return made(one.expression, one.reach); }
+Implicit surface(const KnownSurface& one) { return surface_of(one.expression, one.reach); }
+Implicit surface_named(std::string_view name) {
+    return surface(*std::ranges::find_if(
+        known, [&](const KnownSurface& one) { return std::string_view(one.name).starts_with(name); }));
+}
+Implicit surface_of(const std::string& expression, Real reach) {
+    return {{Vec3(-reach), Vec3(reach)}, std::make_shared<const Formula>(parse_formula(expression))};
+}
+Implicit tight_heart() { return {{{-1.25, -0.75, -1.1}, {1.25, 0.75, 1.3}}, surface_named("the heart").f}; }
 
 JudgedPolynomial polynomial_of(const Implicit& implicit) {
     int operations = 0;

@@ -6,10 +6,14 @@
 // none, on the whole chord; and where at the hit f clearly has a sign, and does not change it there. β is
 // what rounding may make of f: with n operations, and 2 for each coordinate, 8nu of the sum of all sizes;
 // since an operation on enclosures moves either end by 4u of itself at most: by its own rounding, and by what
-// makes it certain. (For a quadric 32u: its coefficients are to be right to that.)
+// makes it certain. (For a quadric 32u of what f would be if nothing were subtracted; three times that is
+// what its contract allows its coefficients.)
 #pragma once
 
 #include "tests/stability/solids.hpp"
+
+#include <string>
+#include <string_view>
 
 namespace rt::stability {
 
@@ -36,6 +40,15 @@ struct KnownSurface {
 };
 std::span<const KnownSurface> known_surfaces();
 Implicit surface(const KnownSurface& known);
+
+/// The first of them whose name begins like this.
+Implicit surface_named(std::string_view name);
+
+/// The surface where an expression is 0, in a cube that reaches from −reach to reach.
+Implicit surface_of(const std::string& expression, Real reach);
+
+/// The heart in a box that fits it: that makes a small Lipschitz bound, which is good for sphere tracing.
+Implicit tight_heart();
 
 }  // namespace rt::stability
 

@@ -40,10 +40,14 @@ Verdict judge_leaving(const LeavingRays<SolidCase<Implicit>>& rays,
 Verdict judge_leaving(const LeavingRays<SolidCase<Quadric>>& rays,
                       std::span<const std::optional<Hit>> answers);
 
+/// Where a leaving ray begins: as chapter 6 says, or, by the textbook, in the point of the first ray at t.
+enum class Start { Offset, AtHit };
+
 /// One such ray for each of the rays that hit, in all directions, many of them along the surface: those that
 /// go inward, and those that go outward.
 template <class Case>
-std::array<LeavingRays<Case>, 2> leaving_rays(const std::vector<Case>& first, std::uint64_t seed) {
+std::array<LeavingRays<Case>, 2> leaving_rays(const std::vector<Case>& first, std::uint64_t seed,
+                                              Start start) {
     test::Random random(seed);
     std::array<LeavingRays<Case>, 2> leaving{{{.outward = false}, {.outward = true}}};
     for (const auto& [shape, ray] : first) {
@@ -54,7 +58,8 @@ std::array<LeavingRays<Case>, 2> leaving_rays(const std::vector<Case>& first, st
         const Vec3 across = random.perpendicular_to(surface.normal);
         const Vec3 d = normalize(cosine * surface.normal + std::sqrt(1 - cosine * cosine) * across);
         LeavingRays<Case>& rays = leaving[cosine > 0];
-        rays.cases.push_back({shape, {offset_origin(surface, d), d}});
+        rays.cases.push_back(
+            {shape, {start == Start::Offset ? offset_origin(surface, d) : point_at(ray, hit->t), d}});
         rays.goes_back.push_back(cosine * dot(surface.normal, ray.direction) < 0);
     }
     return leaving;
@@ -62,9 +67,9 @@ std::array<LeavingRays<Case>, 2> leaving_rays(const std::vector<Case>& first, st
 
 /// The verdict on both.
 template <class Case>
-Verdict leave(const std::vector<Case>& first, std::uint64_t seed) {
+Verdict leave(const std::vector<Case>& first, std::uint64_t seed, Start start = Start::Offset) {
     Verdict verdict;
-    for (const LeavingRays<Case>& rays : leaving_rays(first, seed)) {
+    for (const LeavingRays<Case>& rays : leaving_rays(first, seed, start)) {
         std::vector<std::optional<Hit>> answers;
         for (const auto& [shape, ray] : rays.cases) answers.push_back(intersect(shape, ray, Interval{}));
         add(verdict, judge_leaving(rays, answers));

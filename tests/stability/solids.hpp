@@ -34,6 +34,7 @@ template <class Shape>
 struct SolidFamily {
     const char* name;
     std::vector<SolidCase<Shape>> (*make)(std::size_t count, std::uint64_t seed);
+    bool breaks_textbook = true;  ///< one on which that is right, too, only looks after the course's method
 };
 
 /// All the families; any prefix of a family's cases is the same for every count.

@@ -17,12 +17,10 @@ namespace {
 
 using test::many;
 using test::Random;
+using test::towards;
 
 // 4 ulp, as a relative error: an ulp is at most 2u.
 constexpr Real band = 8 * unit_roundoff;
-
-/// Multiplied by −80 to 80 ulps more or less than 1.
-Real nudge(Random& random) { return 1 + std::floor(random.uniform(-80, 81)) * 2 * unit_roundoff; }
 
 // ---------------------------------------------------------------------------------------------- quartics
 
@@ -40,7 +38,7 @@ PolynomialCase from_roots(Random& random, std::array<Real, 4> roots) {
     Real beyond = 0;
     for (const Real root : roots) beyond = std::max(beyond, std::abs(root) * random.uniform(1.1, 2));
     for (std::size_t i = 0; i < 5; ++i)
-        item.polynomial.a[i] = times * static_cast<Real>(a[i]) * (nudged ? nudge(random) : 1);
+        item.polynomial.a[i] = times * static_cast<Real>(a[i]) * (nudged ? random.nudge() : 1);
     item.low = random.index(3) == 0 ? 0 : -beyond;
     item.high = beyond;
     return item;
@@ -106,7 +104,7 @@ Cases of_the_literature(std::size_t count, std::uint64_t seed) {
                             -300, 300};
         Real scale = 1;
         const Real s = random.magnitude(-3, 3);
-        for (std::size_t i = 5; i-- > 0; scale *= s) item.polynomial.a[i] *= scale * nudge(random);
+        for (std::size_t i = 5; i-- > 0; scale *= s) item.polynomial.a[i] *= scale * random.nudge();
         item.low *= s, item.high *= s;
         return item;
     });
@@ -165,11 +163,6 @@ Vec3 aim(Random& random, const Torus& torus) {
     return on_tube(torus, some_radial(random, torus), random.uniform(0, 2 * pi), random.uniform(0, 1.2));
 }
 
-Ray towards(Random& random, const Vec3& target, Real distance) {
-    const Vec3 origin = target - distance * random.direction();
-    return {origin, (target - origin) * (random.uniform(0.5, 2) / distance)};
-}
-
 /// The line through the target along d, seen from somewhere on it, so that it is not moved.
 Ray through(Random& random, const Torus& torus, const Vec3& target, const Vec3& d) {
     return {target - size_of(torus) * random.sign() * random.magnitude(-1, 2) * d,
@@ -195,7 +188,7 @@ Tori thin(std::size_t count, std::uint64_t seed) {
 }
 
 Real nearly_touching(Random& random) {
-    return random.index(2) == 0 ? nudge(random) : 1 + random.sign() * random.magnitude(-16, -1);
+    return random.index(2) == 0 ? random.nudge() : 1 + random.sign() * random.magnitude(-16, -1);
 }
 
 Tori self_touching(std::size_t count, std::uint64_t seed) {
@@ -250,7 +243,7 @@ Tori tangent(std::size_t count, std::uint64_t seed) {
                    across = std::cos(angle) * n - std::sin(angle) * radial;
         const Real turn = random.index(3) == 0 ? 0 : random.uniform(0, pi);
         const Vec3 d = std::cos(turn) * around + std::sin(turn) * across;
-        return TorusCase{torus, through(random, torus, on_tube(torus, radial, angle, nudge(random)), d)};
+        return TorusCase{torus, through(random, torus, on_tube(torus, radial, angle, random.nudge()), d)};
     });
 }
 
@@ -263,7 +256,7 @@ Tori threefold(std::size_t count, std::uint64_t seed) {
         const Vec3 d = std::cos(turn) * normalize(cross(n, radial)) + random.sign() * std::sin(turn) * n;
         const Vec3 off = random.index(2) == 0 ? Vec3(0) : random.magnitude(-17, -3) * random.direction();
         return TorusCase{
-            torus, through(random, torus, on_tube(torus, radial, pi, nudge(random)), normalize(d + off))};
+            torus, through(random, torus, on_tube(torus, radial, pi, random.nudge()), normalize(d + off))};
     });
 }
 
@@ -277,8 +270,8 @@ Tori bitangent(std::size_t count, std::uint64_t seed) {
         if (random.index(2) == 0)
             return TorusCase{torus, through(random, torus, torus.center,
                                             normalize(std::sqrt((1 - sine) * (1 + sine)) * radial +
-                                                      sine * nudge(random) * n))};
-        const Vec3 top = torus.center + torus.tube * nudge(random) * n;
+                                                      sine * random.nudge() * n))};
+        const Vec3 top = torus.center + torus.tube * random.nudge() * n;
         return TorusCase{torus,
                          through(random, torus, top + torus.ring * random.uniform(0, 1) * radial, around)};
     });
@@ -289,8 +282,8 @@ Tori along_the_axis(std::size_t count, std::uint64_t seed) {
     return many(count, seed, [](Random& random) {
         const Torus torus = some_torus(random, 1, random.magnitude(-4, 1));
         const Vec3 n = normalize(torus.axis), radial = some_radial(random, torus);
-        const Real walls[] = {0, (torus.ring - torus.tube) * nudge(random), torus.ring,
-                              (torus.ring + torus.tube) * nudge(random)};
+        const Real walls[] = {0, (torus.ring - torus.tube) * random.nudge(), torus.ring,
+                              (torus.ring + torus.tube) * random.nudge()};
         Vec3 d = n;
         if (random.index(2) == 0) d = normalize(d + random.magnitude(-17, -2) * random.direction());
         return TorusCase{torus, through(random, torus, torus.center + walls[random.index(4)] * radial, d)};
@@ -578,6 +571,14 @@ Polynomial torus_quartic(const Torus& torus, const Ray& ray) {
                k = 4 * R * R;
     return {{q0 * q0 - k * (dot(f, f) - z * z), 2 * q0 * q1 - k * (q1 - 2 * z * dz),
              q1 * q1 + 2 * q0 - k * (1 - dz * dz), 2 * q1, 1}};
+}
+
+SignChanges crossings_from_the_eye(const Torus& torus, const Ray& ray,
+                                   SignChanges (*solve)(const Polynomial&, Real low, Real high)) {
+    const Real distance = length(ray.origin - torus.center), reach = 2 * (torus.ring + torus.tube);
+    SignChanges roots = solve(torus_quartic(torus, ray), distance - reach, distance + reach);
+    for (Real& t : roots.t) t /= length(ray.direction);
+    return roots;
 }
 
 TorusSpans inside(const Torus& torus, const Ray& ray) {

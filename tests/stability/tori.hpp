@@ -67,4 +67,8 @@ TorusSpans inside(const Torus& torus, const Ray& ray);
 /// The quartic of a line with a unit direction, as a polynomial in t (Hanrahan 1989).
 Polynomial torus_quartic(const Torus& torus, const Ray& ray);
 
+/// The roots of that between places beyond the torus, by any method, as the ray's t.
+SignChanges crossings_from_the_eye(const Torus& torus, const Ray& ray,
+                                   SignChanges (*solve)(const Polynomial&, Real low, Real high));
+
 }  // namespace rt::naive
