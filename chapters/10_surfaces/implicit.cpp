@@ -42,7 +42,8 @@ Enclosure bend(const Formula& f, const Chord& chord, const Enclosure& lambda) {
     return evaluate(f, at(0), at(1), at(2)).slope[0].slope[0];
 }
 
-/// Pieces as short as this whose slope may be 0 are near a touch, or along a line in the surface.
+/// Pieces as short as this whose slope may be 0 are near a touch, or along a line in the surface; or, if f
+/// has no bound at their middles, at a pole.
 constexpr Real short_piece = 0x1p-10;
 
 }  // namespace
@@ -74,8 +75,9 @@ int side_at(const ImplicitLine& line, Real lambda) {
 bool is_blurred(Piece piece, const Certain& certain) {
     const Real m = middle_of(piece), length = piece.high - piece.low;
     const Real slope = width_of(certain.slope), middle = width_of(certain.middle);
-    return length < 0x1p-60 || !(piece.low < m && m < piece.high) || slope * length <= middle ||
-           (slope == infinity && width_of(certain.value) <= 2 * middle);
+    if (length < 0x1p-60 || !(piece.low < m && m < piece.high)) return true;
+    if (!(middle < infinity)) return length < short_piece;
+    return slope * length <= middle || (slope == infinity && width_of(certain.value) <= 2 * middle);
 }
 
 Piece quartered(const ImplicitLine& line, Piece piece) {

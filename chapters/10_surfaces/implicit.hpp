@@ -38,7 +38,9 @@ int side_at(const ImplicitLine& line, Real lambda);
 
 /// Given. Whether a piece tells nothing more when it is divided: it is narrower than 2⁻⁶⁰, or there is no
 /// number between its ends; or its slope makes less of a difference to f than rounding does; or, where the
-/// slope has no bound, the values of all of it are hardly wider than that of its middle.
+/// slope has no bound, the values of all of it are hardly wider than that of its middle. Where f has no bound
+/// at the middle, as at a pole, that says nothing of the rest: then a piece is blurred if it is shorter than
+/// 2⁻¹⁰.
 bool is_blurred(Piece piece, const Certain& certain);
 
 /// Given. The piece without the quarters before and behind the crossing in it, as far as the sides at a

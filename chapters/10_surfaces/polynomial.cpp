@@ -4,6 +4,7 @@
 #include "common/math/error.hpp"
 #include "common/math/todo.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rt {
@@ -11,9 +12,9 @@ namespace rt {
 Real root_between(const Polynomial& p, Real low, Real high) {
     // 10.7  Begin in the middle. As long as t is between low and high: evaluate, and let t take the
     // place of low or of high, so that the change stays between them. Newton's step leads to t − value/slope.
-    // Where it is no longer than 4u|t|, return where it leads to. Take it if it leads between low and high
-    // and is at most half as long as the last step; if not, go to the middle. When nothing is left between,
-    // return t.
+    // Where it is no longer than 4u|t|, return where it leads to, but not beyond low or high. Take it if it
+    // leads between low and high and is at most half as long as the last step; if not, go to the middle. When
+    // nothing is left between, return t.
     return todo("10.7");
 }
 

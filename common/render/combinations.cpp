@@ -5,7 +5,7 @@
 #include "common/render/groups.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 #include <utility>
 
 namespace rt {
@@ -20,14 +20,6 @@ std::uint32_t elements_of(const Shape&) {
 }
 std::uint32_t elements_of(const Instance& instance) {
     return static_cast<std::uint32_t>(instance.shape.mesh->triangles.shapes.size());
-}
-
-template <class Shape>
-Real crossings_of_one(const Shape&) {
-    return words<Shape>.crossings;
-}
-Real crossings_of_one(const Instance& instance) {
-    return static_cast<Real>(instance.shape.mesh->triangles.shapes.size());
 }
 
 /// Wider by more than rounding has made the box, and will make a line that meets the shape.
@@ -55,17 +47,22 @@ Bounds joined(SetOperation operation, const Bounds& a, const Bounds& b) {
     return glm::all(glm::lessThanEqual(both.low, both.high)) ? both : Bounds{};
 }
 
-/// The flat faces of a solid that lie across an axis of the world.
-using CommonPlanes = std::vector<Combination::CommonPlane>;
+/// A flat face of a solid that lies across an axis of the world, and how far rounding may have moved it.
+struct FlatFace {
+    Combination::CommonPlane plane;
+    Real slack = 0;
+    std::size_t part = 0;
+};
+using FlatFaces = std::vector<FlatFace>;
 
 template <class Shape>
-CommonPlanes flat_faces(const Shape&, const Mat4&) {
+FlatFaces flat_faces(const Shape&, const Mat4&) {
     return {};
 }
 
 /// The face through `point` with this normal, both in the solid's own space; nothing if it lies askew in the
 /// world.
-void append_face(CommonPlanes& faces, std::uint32_t element, const Mat4& m, const Vec3& point,
+void append_face(FlatFaces& faces, std::uint32_t element, const Mat4& m, const Vec3& point,
                  const Vec3& normal) {
     // The normals of an affine map's image are those of its inverse's rows; whether they lie along an axis
     // can be seen without it, where the map exchanges and stretches the axes.
@@ -81,17 +78,18 @@ void append_face(CommonPlanes& faces, std::uint32_t element, const Mat4& m, cons
         }
     for (int column = 0; column < 3; ++column)
         if (column != own && m[column][world] != 0) return;
-    faces.push_back({element, world, m[own][world] * point[own] + m[3][world]});
+    const Real scaled = m[own][world] * point[own], moved = m[3][world];
+    faces.push_back({{element, world, scaled + moved}, gamma(16) * (std::abs(scaled) + std::abs(moved))});
 }
 
-CommonPlanes flat_faces(const Plane& plane, const Mat4& m) {
-    CommonPlanes faces;
+FlatFaces flat_faces(const Plane& plane, const Mat4& m) {
+    FlatFaces faces;
     append_face(faces, 0, m, plane.point, plane.normal);
     return faces;
 }
 
-CommonPlanes flat_faces(const Box& box, const Mat4& m) {
-    CommonPlanes faces;
+FlatFaces flat_faces(const Box& box, const Mat4& m) {
+    FlatFaces faces;
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
         Vec3 normal(0);
         normal[static_cast<int>(axis)] = 1;
@@ -101,31 +99,43 @@ CommonPlanes flat_faces(const Box& box, const Mat4& m) {
     return faces;
 }
 
-CommonPlanes flat_faces(const Cone& cone, const Mat4& m) {
-    CommonPlanes faces;
+FlatFaces flat_faces(const Cone& cone, const Mat4& m) {
+    FlatFaces faces;
     append_face(faces, 1, m, cone.a, cone.b - cone.a);
     append_face(faces, 2, m, cone.b, cone.b - cone.a);
     return faces;
 }
 
+// In a combination the box closes what it cuts.
+FlatFaces flat_faces(const Implicit& implicit, const Mat4& m) { return flat_faces(implicit.box, m); }
+FlatFaces flat_faces(const Quadric& quadric, const Mat4& m) { return flat_faces(quadric.box, m); }
+
 template <class Shape>
-CommonPlanes flat_faces(const Placed<Shape>& placed, const Mat4&) {
+FlatFaces flat_faces(const Placed<Shape>& placed, const Mat4&) {
     return flat_faces(placed.shape, placed.transform.to_world);
 }
 
 }  // namespace
 
 void find_common_planes(Combination& tree) {
-    std::map<std::pair<int, Real>, int> parts;  // how many have a face there
-    for (Combination::Part& part : tree.parts) {
-        part.common_planes =
-            std::visit([](const auto& solid) { return flat_faces(solid, Mat4(1)); }, part.solid);
-        for (const auto& face : part.common_planes) ++parts[{face.axis, face.place}];
+    FlatFaces all;
+    for (std::size_t i = 0; i < tree.parts.size(); ++i)
+        for (FlatFace face :
+             std::visit([](const auto& solid) { return flat_faces(solid, Mat4(1)); }, tree.parts[i].solid)) {
+            face.part = i;
+            all.push_back(face);
+        }
+    std::ranges::sort(all, {},
+                      [](const FlatFace& face) { return std::pair(face.plane.axis, face.plane.place); });
+    // Neighbours that only rounding keeps apart, such as 0.3 and 0.1 + 0.2, lie where the first of them lies.
+    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+        const auto& [element, axis, place] = all[first].plane;
+        for (end = first + 1; end < all.size() && all[end].plane.axis == axis; ++end)
+            if (all[end].plane.place - place > std::max(all[first].slack, all[end].slack)) break;
+        if (end - first < 2) continue;
+        for (std::size_t i = first; i < end; ++i)
+            tree.parts[all[i].part].common_planes.push_back({all[i].plane.element, axis, place});
     }
-    for (Combination::Part& part : tree.parts)
-        std::erase_if(part.common_planes, [&](const auto& face) {
-            return parts[{face.axis, face.place}] == 1;
-        });
 }
 
 std::int32_t add_part(Combination& tree, Solid solid, bool is_taken_away) {
@@ -151,10 +161,12 @@ std::int32_t join(Combination& tree, SetOperation operation, std::span<const std
     return -static_cast<std::int32_t>(tree.nodes.size());
 }
 
+Real crossings_of(const Instance& instance) { return elements_of(instance); }
+
 Real crossings_of(const Combination& tree) {
     Real sum = 0;
     for (const Combination::Part& part : tree.parts)
-        sum += std::visit([](const auto& solid) { return crossings_of_one(solid); }, part.solid);
+        sum += std::visit([](const auto& solid) { return crossings_of(solid); }, part.solid);
     return sum;
 }
 

@@ -101,17 +101,6 @@ void derive_needs(const Scene& scene, World& world) {
     needs.uvs = integrator.uvs;
 }
 
-using rt::crossings_of;  // of a combination
-
-/// How often a line can cross the surface of a shape, at most.
-template <class Shape>
-Real crossings_of(const Shape&) {
-    return words<Shape>.crossings;
-}
-Real crossings_of(const Instance& instance) {
-    return static_cast<Real>(instance.shape.mesh->triangles.shapes.size());
-}
-
 /// Refuses what could make light so strong that its number ends. A factor above 1 may be met once a bounce,
 /// and a filter above 1 at every surface of its material.
 void check_growth_of_light(const Scene& scene, const World& world) {

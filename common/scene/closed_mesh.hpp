@@ -5,7 +5,8 @@
 
 namespace rt {
 
-/// Whether each edge has as many faces on its one side as on its other: a ray that has come in must go out.
+/// Whether each edge belongs to an even number of faces: a ray that has come in must go out. Edges without
+/// length do not count.
 bool is_closed(const Mesh& mesh);
 
 /// Whether it is closed, and all its faces look outwards: each edge is run along as often in one direction as

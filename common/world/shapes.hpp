@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string_view>
 #include <type_traits>
@@ -95,6 +96,9 @@ struct ShapeWords {
     bool is_endless = false;  ///< no box is around it
 };
 
+/// Of a surface that a line may cross any number of times.
+inline constexpr int as_many_as_it_likes = std::numeric_limits<int>::max();
+
 /// The words of each shape; a shape of the list that has none does not compile.
 template <class Shape>
 inline constexpr ShapeWords words = Shape::there_are_no_words_for_this_shape;
@@ -156,13 +160,13 @@ inline constexpr ShapeWords words<Implicit>{.one = "implicit surface",
                                             .many = "implicit surfaces",
                                             .steps = {"10.1", "10.2", "10.9"},
                                             .ask = 500,
-                                            .crossings = 8};
+                                            .crossings = as_many_as_it_likes};
 template <>
 inline constexpr ShapeWords words<Placed<Implicit>>{.one = "implicit surface with its matrices",
                                                     .many = "implicit surfaces with their matrices",
                                                     .steps = {"04.6", "10.1", "10.2", "10.9"},
                                                     .ask = 500,
-                                                    .crossings = 8};
+                                                    .crossings = as_many_as_it_likes};
 template <>
 inline constexpr ShapeWords words<Quadric>{"quadric", "quadrics", {"02.1", "10.1", "10.2"}, 7};
 template <>

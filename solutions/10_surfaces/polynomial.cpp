@@ -3,6 +3,7 @@
 
 #include "common/math/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rt {
@@ -10,16 +11,16 @@ namespace rt {
 Real root_between(const Polynomial& p, Real low, Real high) {
     // [exercise 10.7] Begin in the middle. As long as t is between low and high: evaluate, and let t take the
     // place of low or of high, so that the change stays between them. Newton's step leads to t − value/slope.
-    // Where it is no longer than 4u|t|, return where it leads to. Take it if it leads between low and high
-    // and is at most half as long as the last step; if not, go to the middle. When nothing is left between,
-    // return t.
+    // Where it is no longer than 4u|t|, return where it leads to, but not beyond low or high. Take it if it
+    // leads between low and high and is at most half as long as the last step; if not, go to the middle. When
+    // nothing is left between, return t.
     const bool falls = evaluate(p, low).value > 0;
     Real t = low + 0.5 * (high - low), last = high - low;
     while (low < t && t < high) {
         const auto [value, slope] = evaluate(p, t);
         ((value > 0) == falls ? low : high) = t;
         Real step = -value / slope;
-        if (std::abs(step) <= 4 * unit_roundoff * std::abs(t)) return t + step;
+        if (std::abs(step) <= 4 * unit_roundoff * std::abs(t)) return std::clamp(t + step, low, high);
         const bool is_safe = low < t + step && t + step < high && std::abs(step) <= 0.5 * last;
         if (!is_safe) step = low + 0.5 * (high - low) - t;
         last = std::abs(step);
