@@ -121,7 +121,7 @@ inline std::string show(const Enclosure& a) { return "[" + show(a.low) + ", " + 
 inline std::string show(const Piece& piece) { return show(piece.low) + " and " + show(piece.high); }
 
 inline std::string show(const LineCrossing& crossing) {
-    return "crossing at " + show(crossing.t) + " to side " + show(crossing.after);
+    return "crossing at " + show(crossing.t) + " to the " + (crossing.after < 0 ? "inside" : "outside");
 }
 
 inline std::string show(const Span& span) {
@@ -155,10 +155,14 @@ inline std::string show(const TorusLine& line) {
 
 /// t^4 - 2t^2 + 1
 inline std::string show(const Polynomial& p) {
+    const char* powers[] = {"", "t", "t^2", "t^3", "t^4"};
     std::string text;
-    for (std::size_t i = 5; i-- > 0;)
-        if (p.a[i] != 0)
-            text += (text.empty() ? "" : " + ") + show(p.a[i]) + (i > 0 ? " t^" + std::to_string(i) : "");
+    for (std::size_t i = 5; i-- > 0;) {
+        if (p.a[i] == 0) continue;
+        const Real size = text.empty() ? p.a[i] : std::abs(p.a[i]);
+        if (!text.empty()) text += p.a[i] < 0 ? " - " : " + ";
+        text += (size == 1 && i > 0 ? "" : show(size)) + powers[i];
+    }
     return text.empty() ? "0" : text;
 }
 
@@ -169,7 +173,7 @@ inline std::string show(const SignChanges& changes) {
     return changes.count == 0 ? "no change of sign" : "changes of sign at" + text;
 }
 
-/// Of nothing that becomes one, as a JSON value would.
+/// A template, so that a type which converts to SetOperation, such as a JSON value, does not come here.
 template <std::same_as<SetOperation> Operation>
 std::string show(Operation operation) {
     switch (operation) {
@@ -185,7 +189,7 @@ std::string show(Operation operation) {
 
 inline std::string show(const Transform& transform) { return "transform" + show(transform.to_world); }
 
-inline std::string show(const Bounds& box) { return "box from " + show(box.low) + " to " + show(box.high); }
+inline std::string show(const Bounds& bounds) { return show(Box{bounds.low, bounds.high}); }
 
 inline std::string show(const Roots& roots) {
     if (roots.count == 0) return "no roots";

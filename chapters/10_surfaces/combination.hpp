@@ -23,7 +23,8 @@ bool is_inside(SetOperation operation, bool in_a, bool in_b);
 ///
 /// What happens at one t happens at once, so that solids that only touch have nothing in common, two
 /// that share a face are one without a wall between, and what is thinner than nothing is gone. Of two faces
-/// in one place, a's is the one that is met. A list may have two equal t where the line touches its solid.
+/// in one place, a's is the one that is met, unless the line only touches a there. A list may have two equal
+/// t where the line touches its solid.
 std::vector<Hit> combine(SetOperation operation, std::span<const Hit> a, std::span<const Hit> b);
 
 /// Where the line of the ray crosses the combination's surface, as for `combine`. `Hit::element` counts

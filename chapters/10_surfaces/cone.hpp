@@ -38,17 +38,19 @@ ConeLine cone_line(const Cone& cone, const Ray& ray);
 Roots side_roots(const ConeLine& line);
 
 /// [10.5] The part of the ray's line that is inside the cone, or nothing. Face 0 is the side, 1 the cap at a,
-/// 2 the cap at b; a cap of radius 0 is met where the line goes through the apex or along the axis.
+/// 2 the cap at b; where the line goes through the apex, a cap of radius 0 may be met instead of the side.
 ///
-/// Hit or miss is right unless moving the data by 8u of (|f| + |u| + the greater radius) would change the
-/// answer, where f = origin − a.
+/// Hit or miss, and each end but for 8u|t|, are those of a cone whose surface is moved by no more than η
+/// along its axis, and η(1 + |radius_b − radius_a|/|u|) across it: η = 8u|f| + 40u(|u| + the greater radius),
+/// where f = origin − a.
 std::optional<Span> inside(const Cone& cone, const Ray& ray);
 
 /// Nearest hit with the solid cone's surface in (range.min, range.max], or nothing. `Hit::element` is the
 /// face. Given.
 std::optional<Hit> intersect(const Cone& cone, const Ray& ray, Interval range);
 
-/// [10.6] Nearest hit with the side alone, from its one end to the other, both included.
+/// [10.6] Nearest hit with the side alone, from its one end to the other, both included; as exact as
+/// `inside`.
 std::optional<Hit> intersect(const OpenCone& open, const Ray& ray, Interval range);
 
 /// [10.6] The unit normal of the cone's side, outward, where `radial`, a unit vector perpendicular to the

@@ -3,22 +3,20 @@
 #include "chapters/10_surfaces/sphere_tracing.hpp"
 #include "common/math/error.hpp"
 #include "common/scene/evaluate.hpp"
-#include "tests/catch.hpp"
+#include "tests/10_surfaces/check_span.hpp"
+#include "tests/stability/implicits.hpp"
 #include "tests/support.hpp"
 
 #include <cmath>
 
 using namespace rt;
+using test::ahead;
 using test::cases;
 using test::Random;
 
 namespace {
 
-const Interval ahead{0, infinity};
-
-Implicit made(const std::string& expression, Real reach = 2) {
-    return {{Vec3(-reach), Vec3(reach)}, std::make_shared<const Formula>(parse_formula(expression))};
-}
+Implicit made(const std::string& expression) { return stability::surface_of(expression, 2); }
 
 /// f of x alone, and λ = x: the chord is the x axis from 0 to 1.
 struct OnUnit {
@@ -31,7 +29,8 @@ void check_crossing(const std::string& f, Interval range, Real t, int after, Rea
     const OnUnit unit(f);
     const std::optional<LineCrossing> crossing = first_crossing(unit.line, range);
     INFO("f = " << f << " for x from 0 to 1, range " << range);
-    INFO("expected a crossing at " << t << ", to side " << after << "; actual " << crossing);
+    const LineCrossing expected{t, after};
+    INFO("expected a " << expected << "; actual " << crossing);
     REQUIRE(crossing.has_value());
     CHECK(test::near(crossing->t, t, error));
     CHECK(crossing->after == after);
@@ -67,15 +66,23 @@ void check_miss(const Implicit& implicit, const Ray& ray, Interval range = ahead
     CHECK_FALSE(hit.has_value());
 }
 
+void check_spans(const Implicit& implicit, const Ray& ray, const std::vector<Span>& expected) {
+    const std::vector<Span> actual = inside(implicit, ray);
+    INFO(implicit << "\n" << ray << "\nexpected " << expected << "\nactual   " << actual);
+    REQUIRE(actual.size() == expected.size());
+    for (std::size_t i = 0; i < actual.size(); ++i)
+        test::check_span(actual[i], expected[i], 0x1p-40, 0x1p-40);
+}
+
 void check_traced(const Implicit& implicit, Real lipschitz, const Ray& ray, Interval range, Real tolerance,
-                  Real t) {
+                  Real t, Real error = 0x1p-40) {
     const std::optional<Hit> hit = sphere_trace(implicit, lipschitz, ray, range, tolerance);
     INFO(implicit << "\n"
                   << ray << ", range " << range << ", lipschitz " << lipschitz << ", tolerance "
                   << tolerance);
     INFO("expected t = " << t << ", actual " << hit);
     REQUIRE(hit.has_value());
-    CHECK(test::near(hit->t, t, 0x1p-40));
+    CHECK(test::near(hit->t, t, error));
 }
 
 void check_not_traced(const Implicit& implicit, Real lipschitz, const Ray& ray, Interval range,
@@ -168,6 +175,14 @@ TEST_CASE("where f is 0 all along, and its slope has no bound, there is no cross
     check_miss(made("sqrt(abs(y))"), {{-3, 0, 0}, {1, 0, 0}});
 }
 
+TEST_CASE("a surface is there also where f has no bound at the middle of the chord", "[10.9]") {
+    // There x is 0, and the power has no slope; or f itself has a pole.
+    check_hit(made("abs(x)^(2/3)+abs(y)^(2/3)+abs(z)^(2/3)-1"), {{3, 0.125, 0.125}, {-1, 0, 0}}, ahead,
+              3 - std::sqrt(0.125));
+    check_hit(made("1-1/(4*(x^2+y^2+z^2))"), {{3, 0, 0}, {-1, 0, 0}}, ahead, 2.5);
+    check_hit(made("1-1/(4*(x^2+y^2+z^2))"), {{3, 0, 0}, {-1, 0, 0}}, {2.75, infinity}, 3.5);
+}
+
 TEST_CASE("corners of abs, min and max", "[10.9]") {
     check_crossing("abs(x-1/2)-1/8", ahead, 0.375, -1);
     check_crossing("abs(x-1/2)-1/8", {0.5, infinity}, 0.625, 1);
@@ -215,29 +230,31 @@ TEST_CASE("from 1e8 away", "[10.9]") {
     check_miss(ball, {{-1e8, 1.0001, 0}, {1, 0, 0}});
 }
 
-TEST_CASE("a scene that is scaled by a power of two has the same hits, to the bit", "[10.9]") {
+TEST_CASE("a direction of another length, by a power of two, has the same hits, to the bit", "[10.9]") {
     Random random(10901);
-    const Implicit heart = made("(x^2+9/4*y^2+z^2-1)^3-x^2*z^3-9/80*y^2*z^3");
+    const Implicit heart = stability::surface_named("the heart");
+    int hits = 0;
     for (int i = 0; i < cases(300); ++i) {
         const Vec3 target = random.in_cube();
         const Ray ray{target + random.magnitude(0, 2) * random.direction(), random.direction()};
         const Ray here{ray.origin, target - ray.origin};
         const std::optional<Hit> one = intersect(heart, here, ahead);
+        hits += one.has_value();
         for (const int k : {-40, 3, 40}) {
-            // In its own space the origin is the same, and only the direction is of another length.
-            const std::optional<Hit> scaled =
-                intersect(heart, {here.origin, std::ldexp(1.0, -k) * here.direction}, ahead);
-            INFO(here << "\nat scale 1: " << one << ", at 2^" << k << ": " << scaled);
-            REQUIRE(one.has_value() == scaled.has_value());
-            if (one) CHECK(scaled->t == std::ldexp(one->t, k));
+            const Ray shorter{here.origin, std::ldexp(1.0, -k) * here.direction};
+            const std::optional<Hit> other = intersect(heart, shorter, ahead);
+            INFO(here << ": " << one << "\nby 2^" << k << " shorter: " << other);
+            REQUIRE(one.has_value() == other.has_value());
+            if (one) CHECK(other->t == std::ldexp(one->t, k));
         }
     }
+    CHECK(hits > cases(300) / 4);
 }
 
 TEST_CASE("the range decides which hit is found, not where it is", "[10.9]") {
     Random random(10902);
-    const Implicit tangle = made("x^4-5*x^2+y^4-5*y^2+z^4-5*z^2+11.8", 3);
-    int found = 0;
+    const Implicit tangle = stability::surface_named("a tangle cube");
+    int found = 0, further = 0;
     for (int i = 0; i < cases(500); ++i) {
         const Vec3 origin = 8.0 * random.direction();
         const Ray ray{origin, 2.0 * random.in_cube() - origin};
@@ -248,36 +265,34 @@ TEST_CASE("the range decides which hit is found, not where it is", "[10.9]") {
         INFO(ray << "\nhit " << hit << ", asked again for up to it " << again);
         REQUIRE(again.has_value());
         CHECK(again->t == hit->t);
-        const std::optional<Hit> next = intersect(tangle, ray, {hit->t, infinity});
-        if (next) CHECK(next->t > hit->t);
+        // All ends of what is inside, which come from other ranges.
+        Interval rest{hit->t, infinity};
+        for (const Span& span : inside(tangle, ray))
+            for (const Hit& end : {Hit{.t = span.enter, .element = span.enter_face},
+                                   Hit{.t = span.leave, .element = span.leave_face}}) {
+                if (end.element != surface_face || end.t <= rest.min + 0x1p-30) continue;
+                const std::optional<Hit> next = intersect(tangle, ray, rest);
+                INFO("beyond " << rest.min << " expected " << end.t << ", actual " << next);
+                REQUIRE(next.has_value());
+                CHECK(test::near(next->t, end.t, 0x1p-40));
+                rest.min = next->t;
+                ++further;
+            }
+        const std::optional<Hit> none = intersect(tangle, ray, rest);
+        INFO("beyond the last one, at " << rest.min << ": " << none);
+        CHECK_FALSE(none.has_value());
     }
     CHECK(found > cases(500) / 10);
+    CHECK(further > cases(500) / 10);
 }
 
 TEST_CASE("the parts of a line that are in the solid", "[10.9]") {
-    std::vector<Span> spans;
     const Implicit half{{Vec3(-2, 0, -2), Vec3(2)}, ball.f};
-    const auto append = [&](const Implicit& implicit, const Ray& ray) {
-        for (const Span& span : inside(implicit, ray)) spans.push_back(span);
-    };
-    append(half, {{0, -5, 0}, {0, 1, 0}});  // in by the box's bottom, out by the ball
-    append(half, {{-5, 0.6, 0}, {1, 0, 0}});
-    append(half, {{-5, 1.5, 0}, {1, 0, 0}});
-    append(made("x*(x-1)*(x+1)"), {{0, 0, 0}, {1, 0, 0}});
-    REQUIRE(spans.size() == 4);
-    const auto check = [&](std::size_t i, Real enter, std::uint32_t enter_face, Real leave,
-                           std::uint32_t leave_face) {
-        INFO(spans[i] << ", expected " << enter << " (face " << enter_face << ") to " << leave << " (face "
-                      << leave_face << ")");
-        CHECK(test::near(spans[i].enter, enter, 0x1p-40));
-        CHECK(test::near(spans[i].leave, leave, 0x1p-40));
-        CHECK(spans[i].enter_face == enter_face);
-        CHECK(spans[i].leave_face == leave_face);
-    };
-    check(0, 5, 2, 6, surface_face);
-    check(1, 4.2, surface_face, 5.8, surface_face);
-    check(2, -2, 0, -1, surface_face);
-    check(3, 0, surface_face, 1, surface_face);
+    check_spans(half, {{0, -5, 0}, {0, 1, 0}}, {{5, 6, 2, surface_face}});  // by the box's bottom
+    check_spans(half, {{-5, 0.6, 0}, {1, 0, 0}}, {{4.2, 5.8, surface_face, surface_face}});
+    check_spans(half, {{-5, 1.5, 0}, {1, 0, 0}}, {});
+    check_spans(made("x*(x-1)*(x+1)"), {{0, 0, 0}, {1, 0, 0}},
+                {{-2, -1, 0, surface_face}, {0, 1, surface_face, surface_face}});
 }
 
 TEST_CASE("the point is on the surface, and the normal leads outward", "[10.9]") {
@@ -346,15 +361,20 @@ TEST_CASE("a ray beside the surface leaves the box", "[10.10]") {
 TEST_CASE("sphere tracing begins and ends where the range does", "[10.10]") {
     check_not_traced(ball, 7, {{-3, 0, 0}, {1, 0, 0}}, {0, 1.5}, 1e-6);
     check_not_traced(ball, 7, {{-3, 0, 0}, {1, 0, 0}}, {4.5, infinity}, 1e-6);
-    const std::optional<Hit> far_side = sphere_trace(ball, 7, {{-3, 0, 0}, {1, 0, 0}}, {2.5, infinity}, 1e-9);
-    REQUIRE(far_side.has_value());
-    CHECK(test::near(far_side->t, 4, 1e-7));
+    check_traced(ball, 7, {{-3, 0, 0}, {1, 0, 0}}, {2.5, infinity}, 1e-9, 4, 1e-7);
+}
+
+TEST_CASE("a range that begins below 0 begins at 0", "[10.10]") {
+    check_not_traced(ball, 7, {{1.5, 0, 0}, {1, 0, 0}}, {-5, infinity}, 1e-6);
+    check_traced(ball, 7, {{0, 0, 0}, {1, 0, 0}}, {-5, infinity}, 1e-9, 1, 1e-7);
+}
+
+TEST_CASE("a ray that begins on the surface hits it where it begins", "[10.10]") {
+    check_traced(made("x-1"), 1, {{1, 0, 0}, {1, 0, 0}}, ahead, 0x1p-50, 0);
 }
 
 TEST_CASE("without a tolerance sphere tracing goes on until a step changes nothing", "[10.10]") {
-    const std::optional<Hit> hit = sphere_trace(ball, 7, {{-3, 0, 0}, {1, 0, 0}}, ahead, 0);
-    REQUIRE(hit.has_value());
-    CHECK(test::near(hit->t, 2, 0x1p-44));
+    check_traced(ball, 7, {{-3, 0, 0}, {1, 0, 0}}, ahead, 0, 2, 0x1p-44);
 }
 
 TEST_CASE("where f has no value the trace ends", "[10.10]") {
@@ -363,18 +383,22 @@ TEST_CASE("where f has no value the trace ends", "[10.10]") {
 
 TEST_CASE("sphere tracing never steps over a crossing", "[10.10]") {
     Random random(101001);
-    const Implicit torus = made("(x^2+y^2+z^2+3/4)^2-4*(x^2+y^2)");
-    const Real lipschitz = lipschitz_bound(torus);
+    const Implicit torus = stability::surface_named("a torus");
+    const Real lipschitz = lipschitz_bound(torus), tolerance = 1e-4;
     int both = 0;
     for (int i = 0; i < cases(300); ++i) {
         const Vec3 origin = 5.0 * random.direction();
         const Ray ray{origin, 1.5 * random.in_cube() - origin};
         const std::optional<Hit> exact = intersect(torus, ray, ahead);
-        const std::optional<Hit> traced = sphere_trace(torus, lipschitz, ray, ahead, 1e-4);
+        const std::optional<Hit> traced = sphere_trace(torus, lipschitz, ray, ahead, tolerance);
         INFO(ray << "\nby intervals " << exact << ", by spheres " << traced);
         if (exact) REQUIRE(traced.has_value());
         if (exact) CHECK(traced->t <= exact->t + 0x1p-30);
         both += exact && traced;
+        if (!traced) continue;
+        const Real value = value_at(*torus.f, point_at(ray, traced->t));
+        INFO("f is " << value << " there, and may be " << lipschitz * tolerance);
+        CHECK(std::abs(value) <= lipschitz * tolerance * (1 + 0x1p-20));
     }
     CHECK(both > cases(300) / 10);
 }

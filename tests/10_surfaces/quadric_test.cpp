@@ -7,10 +7,10 @@
 #include <cmath>
 
 using namespace rt;
+using test::ahead;
 
 namespace {
 
-const Interval ahead{0, infinity};
 const Box room{Vec3(-2), Vec3(2)};
 
 const Quadric ball{Vec3(1), Vec3(0), Vec3(0), -1, room};

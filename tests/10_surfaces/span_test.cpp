@@ -1,32 +1,14 @@
 // Step 10.1: where a line is between two planes, and what several such parts have in common.
 #include "chapters/10_surfaces/span.hpp"
-#include "common/math/error.hpp"
-#include "tests/catch.hpp"
-#include "tests/support.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "tests/10_surfaces/check_span.hpp"
 
 using namespace rt;
 using test::cases;
+using test::check_no_span;
+using test::check_span;
 using test::Random;
 
 namespace {
-
-void check_span(const std::optional<Span>& actual, const Span& expected) {
-    INFO("expected " << expected);
-    INFO("actual   " << actual);
-    REQUIRE(actual.has_value());
-    CHECK(test::near(actual->enter, expected.enter, gamma(4) * std::abs(expected.enter)));
-    CHECK(test::near(actual->leave, expected.leave, gamma(4) * std::abs(expected.leave)));
-    CHECK(actual->enter_face == expected.enter_face);
-    CHECK(actual->leave_face == expected.leave_face);
-}
-
-void check_nothing(const std::optional<Span>& actual) {
-    INFO("expected nothing, actual " << actual);
-    CHECK_FALSE(actual.has_value());
-}
 
 void check_everywhere(const std::optional<Span>& actual) {
     INFO("expected the whole line, actual " << actual);
@@ -56,8 +38,8 @@ TEST_CASE("a line along the planes is between them everywhere or nowhere", "[10.
     for (const Real v : {0.0, -0.0}) {
         INFO("v = " << v);
         check_everywhere(slab(2, v, 1, 3));
-        check_nothing(slab(0.5, v, 1, 3));
-        check_nothing(slab(3.5, v, 1, 3));
+        check_no_span(slab(0.5, v, 1, 3));
+        check_no_span(slab(3.5, v, 1, 3));
     }
 }
 
@@ -76,7 +58,9 @@ TEST_CASE("slabs that share a plane share an end to the bit", "[10.1]") {
         const Real middle = random.uniform(-10, 10), low = middle - 1, high = middle + 2;
         const auto below = slab(x, v, low, middle), above = slab(x, v, middle, high);
         INFO("x = " << x << ", v = " << v << ", planes at " << low << ", " << middle << " and " << high);
-        REQUIRE((below && above));
+        INFO("below: " << below << "\nabove: " << above);
+        REQUIRE(below.has_value());
+        REQUIRE(above.has_value());
         const auto& first = v > 0 ? below : above;
         const auto& second = v > 0 ? above : below;
         CHECK(first->leave == second->enter);
@@ -94,8 +78,8 @@ TEST_CASE("two spans have in common what is from the later entry to the earlier 
 }
 
 TEST_CASE("spans that are apart have nothing in common", "[10.1]") {
-    check_nothing(common_part({1, 2, 0, 0}, {3, 4, 0, 0}));
-    check_nothing(common_part({3, 4, 0, 0}, {1, 2, 0, 0}));
+    check_no_span(common_part({1, 2, 0, 0}, {3, 4, 0, 0}));
+    check_no_span(common_part({3, 4, 0, 0}, {1, 2, 0, 0}));
 }
 
 TEST_CASE("spans that touch have a point in common", "[10.1]") {
