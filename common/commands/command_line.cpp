@@ -357,8 +357,8 @@ void add_figures(CommandLine& line) {
 
 void add_new(CommandLine& line) {
     CLI::App* sub = add_command(line, "new", "a new chapter's rooms, with one step that is complete",
-                                "new 10_area_lights", [&line] { return run_new(line.chapter, line.json); });
-    sub->add_option("name", line.chapter, "number and words, such as 10_area_lights")->required();
+                                "new 11_area_lights", [&line] { return run_new(line.chapter, line.json); });
+    sub->add_option("name", line.chapter, "number and words, such as 11_area_lights")->required();
     sub->group(for_maintainers);
 }
 

@@ -47,8 +47,8 @@ struct Instruction {
     Real constant = 0;
 };
 
-/// f(x, y, z). The program leaves one number on the stack, which never holds more than `most_numbers`; how to
-/// run it says common/scene/evaluate.hpp. Operations on constants alone have been done, and rounded.
+/// f(x, y, z). The program leaves one number on the stack, which never holds more than `most_numbers`;
+/// common/scene/evaluate.hpp says how to run it. Operations on constants alone have been done, and rounded.
 struct Formula {
     std::vector<Instruction> steps;
     std::string text;  ///< as it was read, for messages

@@ -90,7 +90,7 @@ std::string title_of(std::string words) {
 std::vector<fs::path> make_chapter(const Project& project, const std::string& name) {
     if (!is_new_name(name))
         throw InputError(fmt::format(
-            "'{}' is no name for a chapter; expected two digits and words, such as 10_area_lights", name));
+            "'{}' is no name for a chapter; expected two digits and words, such as 11_area_lights", name));
     require_solutions(project, "./course new");
     require_free(project, name);
 

@@ -223,11 +223,22 @@ json told(const std::string& arguments) {
     return json::parse(result.output);
 }
 
+/// Powers of ten as a file has them: 3e-6 for 3·10⁻⁶, and 1e5 for 10⁵.
+std::string with_exponents(std::string text) {
+    const std::pair<const char*, const char*> signs[] = {{"·10", "e"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"},
+                                                         {"³", "3"},   {"⁴", "4"}, {"⁵", "5"}, {"⁶", "6"},
+                                                         {"⁷", "7"},   {"⁸", "8"}, {"⁹", "9"}, {"⁻", "-"}};
+    text = std::regex_replace(text, std::regex("(^|[^·0-9])10(?=⁻|⁰|¹|²|³|⁴|⁵|⁶|⁷|⁸|⁹)"), "$011·10");
+    for (const auto& [sign, plain] : signs) text = std::regex_replace(text, std::regex(sign), plain);
+    return text;
+}
+
 /// The numbers in a line of a table or file, in their order; digits may be grouped by commas in a table.
 std::vector<double> numbers_in(std::string line) {
     if (line.starts_with("|")) std::erase(line, ',');
+    line = with_exponents(line);
     std::vector<double> numbers;
-    const std::regex number("[0-9]+(\\.[0-9]+)?");
+    const std::regex number("[0-9]+(\\.[0-9]+)?(e[-+]?[0-9]+)?");
     for (std::sregex_iterator i(line.begin(), line.end(), number), end; i != end; ++i)
         numbers.push_back(std::stod(i->str()));
     return numbers;
@@ -295,15 +306,21 @@ TEST_CASE("numbers in the lessons are what the commands beside them print", "[te
     }
 }
 
+/// The lines of a file of a chapter's figures, without its head.
+std::vector<std::string> lines_of(const std::string& chapter, const std::string& file) {
+    std::istringstream in(
+        read_file(fs::path(test::repository()) / "references" / chapter / "figures" / file));
+    std::vector<std::string> lines;
+    std::string line;
+    std::getline(in, line);
+    while (std::getline(in, line)) lines.push_back(line);
+    return lines;
+}
+
 TEST_CASE("lesson 3 says the times that its figures program has measured", "[texts]") {
-    const fs::path figures = fs::path(test::repository()) / "references/03_triangles/figures";
     const auto compare = [&](const std::string& head, const std::string& file, auto same) {
         const std::vector<std::string> rows = table_after(lesson("03_triangles"), head);
-        std::vector<std::string> lines;
-        std::istringstream in(read_file(figures / file));
-        std::string line;
-        std::getline(in, line);
-        while (std::getline(in, line)) lines.push_back(line);
+        const std::vector<std::string> lines = lines_of("03_triangles", file);
         REQUIRE(rows.size() == lines.size());
         for (std::size_t i = 0; i < rows.size(); ++i) {
             INFO(rows[i] << "\n" << file << ": " << lines[i]);
@@ -324,6 +341,46 @@ TEST_CASE("lesson 3 says the times that its figures program has measured", "[tex
                     CHECK(said[i] == Approx(measured[i]).margin(0.5).epsilon(0));
                 CHECK(said[4] == measured[4]);
             });
+}
+
+TEST_CASE("lesson 10 says what its figures program has counted", "[texts]") {
+    const std::string chapter = "10_surfaces", text = lesson(chapter);
+    // A row is one of the file's lines, those of nearer distances left out.
+    const auto compare = [&](const std::string& head, const std::string& file,
+                             const std::vector<std::size_t>& order) {
+        const std::vector<std::string> rows = table_after(text, head), lines = lines_of(chapter, file);
+        REQUIRE(rows.size() > 3);
+        REQUIRE(rows.size() <= lines.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const std::string& line = lines[lines.size() - rows.size() + i];
+            INFO(rows[i] << "\n" << file << ": " << line);
+            const std::vector<double> said = numbers_in(rows[i]), counted = numbers_in(line);
+            REQUIRE(said.size() == counted.size());
+            // The row's last ones; what is before them says which row it is.
+            const std::size_t first = said.size() - order.size();
+            if (first > 0) CHECK(said[0] == counted[0]);
+            for (std::size_t k = 0; k < order.size(); ++k)
+                CHECK(said[first + k] == counted[first + order[k]]);
+        }
+    };
+    compare("| distance in radii |", "far_pole.csv", {0, 1, 2, 3});
+    compare("| length in radii |", "long_rod.csv", {0, 1, 2, 3});
+    compare("| lines |", "closed_formulas.csv", {0, 2, 1, 3});
+    // In prose: the last error from near, and where those from the eye are as large as the tube.
+    const std::vector<std::string> far_ring = lines_of(chapter, "far_ring.csv");
+    const std::vector<double> last = numbers_in(far_ring.back());
+    const std::string prose = with_exponents(text);
+    CHECK(std::stod(found(prose, "is (\\S+) radii where\\s+the\\s+torus\\s+is\\s+\\S+\\s+radii")) ==
+          last.back());
+    CHECK(std::stod(found(prose, "is \\S+ radii where\\s+the\\s+torus\\s+is\\s+(\\S+)\\s+radii")) ==
+          last.front());
+    const double noise = std::stod(found(prose, "all is noise at (\\S+)\\s+radii"));
+    for (const std::string& line : far_ring) {
+        const std::vector<double> numbers = numbers_in(line);
+        INFO(line);
+        REQUIRE(numbers.size() > 4);
+        CHECK((numbers[2] > 0.1) == (numbers[0] >= noise));
+    }
 }
 
 TEST_CASE("hints ask the world as its header declares it, or as the solution does", "[texts]") {

@@ -197,8 +197,8 @@ void close_combination(Parser& parser) {
     parser.combinations.pop_back();
     if (whole.made.parts.size() < 2)
         fail(parser, parser.words[0],
-             "'" + whole.word + "' needs at least 2 solids, here " +
-                 (whole.made.parts.empty() ? "are 0" : "is 1"));
+             "'" + whole.word + "' needs at least 2 solids, but has " +
+                 std::to_string(whole.made.parts.size()));
     append(parser, {std::move(whole.made), whole.material, -1, whole.place});  // its parts have transforms
 }
 
@@ -276,8 +276,7 @@ const CommandRow rows[] = {
       "is the expression: numbers, `x`, `y`, `z`, `+ - * / ^`, parentheses, `sqrt`, `exp`, `log` (natural), "
       "`sin`, "
       "`cos`, `abs`, `min(a, b)`, `max(a, b)`. `-x^2` is -(x^2); powers other than whole numbers from -64 to "
-      "64 are "
-      "of positive numbers only.",
+      "64 have no value where the base is negative.",
       "10"},
      [](Parser& p) { add_object(p, implicit(p)); }},
     {{"quadric", "A B C D E F G H I J x0 y0 z0 x1 y1 z1",
@@ -295,9 +294,8 @@ const CommandRow rows[] = {
       "10"},
      open_combination<SetOperation::Difference>},
     {{"end", "",
-      "The end of a `union`, an `intersection` or a `difference`, which may stand inside others. It is of "
-      "one "
-      "material, that in force where it begins; its parts have their own transforms.",
+      "Ends a `union`, an `intersection` or a `difference`; these may stand inside others. The whole has one "
+      "material, the one in force where it begins; its parts have their own transforms.",
       "10"},
      close_combination},
 };
