@@ -84,7 +84,8 @@ DiscTruth judge_disc(const Disc& disc, const Ray& ray, Real proposed) {
     return {.crosses = true,
             .t = CGAL::to_double(t),
             .error = CGAL::to_double(Number(proposed) - t),
-            .distance = std::sqrt(CGAL::to_double(dot(q, q)))};
+            .distance = std::sqrt(CGAL::to_double(dot(q, q))),
+            .slope = CGAL::to_double(slope) / length(disc.normal)};
 }
 
 }  // namespace rt::oracle

@@ -23,6 +23,7 @@ struct DiscTruth {
     Real t = 0;            ///< there, rounded
     Real error = 0;        ///< `proposed` minus the exact t, rounded
     Real distance = 0;     ///< of that point from the centre, rounded
+    Real slope = 0;        ///< what the line gains along the normal with each t, rounded
 };
 
 DiscTruth judge_disc(const Disc& disc, const Ray& ray, Real proposed);

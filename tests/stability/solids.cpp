@@ -353,10 +353,7 @@ struct Judge<Disc> {
 
     /// How much t may be wrong, and how much that moves the point across the disc.
     Real slack(const oracle::DiscTruth& truth) const {
-        const Real speed = length(item.ray.direction);
-        const Real cosine =
-            std::abs(dot(item.shape.normal, item.ray.direction)) / length(item.shape.normal) / speed;
-        return band * std::abs(truth.t) + eta / speed / cosine;
+        return band * std::abs(truth.t) + eta / std::abs(truth.slope);
     }
     Real moved(const oracle::DiscTruth& truth) const {
         return eta + slack(truth) * length(item.ray.direction) + band * truth.distance;
