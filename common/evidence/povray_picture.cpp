@@ -29,6 +29,8 @@ std::vector<std::string> command_line(const Scene& scene, const PovrayRun& run, 
                                      "-D",
                                      fmt::format("+WT{}", povray_threads),
                                      "File_Gamma=1.0"};
+    // It looks for pictures where it is told to, not beside what it reads.
+    if (!scene.pictures.empty()) line.push_back("+L" + fs::absolute(scene.file).parent_path().string());
     if (run.options.empty()) line.emplace_back("-A");
     line.insert(line.end(), run.options.begin(), run.options.end());
     return line;

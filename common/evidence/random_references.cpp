@@ -79,7 +79,7 @@ std::vector<RandomFinding> check_random_scenes(std::uint64_t first, std::uint64_
                                                const fs::path& directory,
                                                const std::function<void(double)>& progress) {
     require_povray();
-    write_random_meshes(directory);
+    write_random_files(directory);
     std::vector<RandomFinding> findings(count);
     std::atomic<std::uint64_t> next{0};
     const auto work = [&](bool tells_progress) {

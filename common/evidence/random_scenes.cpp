@@ -120,6 +120,42 @@ void write_lights(Author& a) {
     }
 }
 
+/// Sets anew what varies the material; `has_uv` of a shape that has texture coordinates. Noise is seldom:
+/// POV-Ray has its own.
+void write_texturing(Author& a, bool has_uv) {
+    const bool has_picture = has_uv && a.chance(0.15);
+    if (has_picture && a.chance(0.3)) a.line("texturewrap {}", a.one_of({"repeat", "mirror", "clamp"}));
+    if (has_picture && a.chance(0.5))
+        a.line("texturefilter {}", a.one_of({"nearest", "bilinear", "bilinear", "trilinear", "anisotropic"}));
+    a.line("texture {}", has_picture ? "random.png" : "off");
+    if (a.chance(0.15))
+        a.line("{} {} {} {:.5g}",
+               a.one_of({"stripes", "rings", "gradient", "stripes", "rings", "gradient", "marble", "wood",
+                         "cells"}),
+               color(a, 1), color(a, 1), a.unit * a.uniform(0.2, 1));
+    else
+        a.line("stripes 1 1 1 1 1 1 1");
+    if (a.chance(0.1))
+        a.line("textured {}", a.one_of({"diffuse", "specular diffuse", "transmission", "emission ambient"}));
+    else
+        a.line("textured ambient diffuse emission");
+    a.line("finish {}",
+           a.chance(0.05) ? a.one_of({"matte", "velvet .3", "metal .4", "coated 1.4"}) : "plain");
+    a.line("bumps {} {:.5g}", a.chance(0.03) ? fmt::format("{:.5g}", a.unit * 0.01) : "0", a.unit * 0.1);
+}
+
+/// A sky of several colours, or in a picture.
+void write_sky(Author& a) {
+    if (a.chance(0.5)) {
+        const Real bright = a.dim ? 0.3 : 0.8;
+        a.line("skyGradient {} {} {}", color(a, bright), color(a, bright), color(a, bright));
+    } else {
+        a.line("environmentmap {}", a.one_of({"latlong", "latlong", "latlong", "mirrorball", "angular"}));
+        a.line("environment random.png {:.5g}", a.uniform(-180, 180));
+    }
+    if (a.chance(0.2)) a.line("skylight on");
+}
+
 /// Sets the material anew for the next object. `glassy` is the share of transparent ones, which are seldom
 /// anything else.
 void write_material(Author& a, Real glassy) {
@@ -291,6 +327,7 @@ void write_object(Author& a) {
     const bool round_or_box = !triangles_only && kind != 5 && kind < 8 && a.chance(0.5);
     // Single faces have no inside, so no glass.
     write_material(a, kind >= 5 && kind < 8 ? 0 : 0.35);
+    write_texturing(a, kind != 5 && !round_or_box);
     if (kind == 5) return write_polygon(a);
     const bool moved = kind <= 7 && a.chance(0.4);
     if (moved) write_transform(a);
@@ -310,6 +347,7 @@ void write_object(Author& a) {
 /// A floor, seldom a wall or a glass one; it never runs along an axis, where rounding would choose a checker.
 void write_plane(Author& a) {
     write_material(a, 0.15);
+    write_texturing(a, true);
     const Vec3 normal = a.chance(0.8) ? Vec3(a.uniform(-0.1, 0.1), 1, a.uniform(-0.1, 0.1))
                                       : Vec3(a.uniform(-0.3, 0.3), a.uniform(-0.3, 0.3), 1);
     const Vec3 point = normal.z == 1 ? Vec3(0, 0, -3) : Vec3(0, a.uniform(-1.6, -1), 0);
@@ -329,6 +367,7 @@ std::string random_scene(std::uint64_t number) {
     a.dim = a.chance(0.25);
     if (a.chance(0.15)) a.unit = std::pow(10, a.whole(-9, 9));
     write_picture(a);
+    if (a.chance(0.15)) write_sky(a);
     write_sampling(a);
     write_lights(a);
     if (a.chance(0.1)) a.line("maxverts 100\nmaxvertnorms 100");
@@ -338,7 +377,7 @@ std::string random_scene(std::uint64_t number) {
     return a.text;
 }
 
-void write_random_meshes(const std::filesystem::path& directory) {
+void write_random_files(const std::filesystem::path& directory) {
     const std::string box =
         "v -.5 -.5 -.5\nv .5 -.5 -.5\nv .5 .5 -.5\nv -.5 .5 -.5\nv -.5 -.5 .5\nv .5 -.5 .5\nv .5 .5 .5\n"
         "v -.5 .5 .5\n";
@@ -357,6 +396,11 @@ void write_random_meshes(const std::filesystem::path& directory) {
     write_file(directory / "gem.obj", gem + flat);
     write_file(directory / "round.obj", round);
     write_file(directory / "painted.obj", painted);
+    Image picture = make_image(5, 4);
+    Random random = random_for(0, 0, 0);
+    for (Vec3& color : picture.pixels)
+        for (int channel = 0; channel < 3; ++channel) color[channel] = 0.9 * random_real(random);
+    write_png16(directory / "random.png", picture);
 }
 
 }  // namespace rt

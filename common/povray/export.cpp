@@ -9,6 +9,7 @@
 #include "common/povray/refuse.hpp"
 #include "common/povray/run.hpp"
 #include "common/povray/scaling.hpp"
+#include "common/povray/sky.hpp"
 #include "common/povray/writer.hpp"
 
 #include <filesystem>
@@ -85,6 +86,7 @@ std::string export_povray(const Scene& scene) {
     write_camera(out);
     expression.write_lights(out);
     out.line("");
+    write_sky_sphere(out);
     expression.write_textures(out);
     write_objects(out);
     return std::move(out.text);

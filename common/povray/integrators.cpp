@@ -1,11 +1,14 @@
 // One section an integrator, and the table of them at the end.
 #include "common/povray/integrators.hpp"
 
+#include "common/povray/bumps.hpp"
 #include "common/povray/camera.hpp"
 #include "common/povray/interiors.hpp"
 #include "common/povray/lights.hpp"
 #include "common/povray/materials.hpp"
+#include "common/povray/noise_text.hpp"
 #include "common/povray/placement.hpp"
+#include "common/povray/places.hpp"
 #include "common/povray/refuse.hpp"
 
 #include <algorithm>
@@ -23,17 +26,15 @@ std::string textured(const Scene& scene, const Object& object, const std::string
     return open_statement(scene, object) + transform_of(scene, object) + " texture { " + texture + " }";
 }
 
-std::string material_name(const Object& object) { return fmt::format("Material{}", object.material); }
-
 // raytrace and flat -----------------------------------------------------------------------------------------
 
 std::string lit_object(const Scene& scene, const Object& object) {
-    return textured(scene, object, material_name(object)) + inside(scene, object) +
+    return textured(scene, object, texture_name(scene, object)) + inside(scene, object) +
            (scene.shadows ? "" : " no_shadow") + " }";
 }
 
 std::string flat_object(const Scene& scene, const Object& object) {
-    return textured(scene, object, material_name(object)) + " }";
+    return textured(scene, object, texture_name(scene, object)) + " }";
 }
 
 // normals; scan conversion draws the same picture -----------------------------------------------------------
@@ -43,10 +44,30 @@ constexpr std::string_view normal_texture =
 
 void write_outward_lights(Writer& out) { write_normal_lights(out, 1); }
 
-void write_normal_texture(Writer& out) { out.line("#declare Normal = {}\n", normal_texture); }
+bool has_bumps(const Scene& scene, const Object& object) {
+    return bumps_of(scene, scene.materials[object.material]) != nullptr;
+}
+
+std::string normal_name(const Scene& scene, const Object& object) {
+    return has_bumps(scene, object) ? fmt::format("Normal{}", &object - scene.objects.data()) : "Normal";
+}
+
+void write_normal_textures(Writer& out) {
+    const Scene& scene = out.scene;
+    out.line("#declare Normal = {}\n", normal_texture);
+    const auto has = [&](const Object& object) { return has_bumps(scene, object); };
+    if (!std::ranges::any_of(scene.objects, has)) return;
+    write_noise(out);
+    write_bump_functions(out);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        if (const Object& object = scene.objects[i]; has(object)) {
+            const std::string bumps = write_bumps(out, object, i);
+            out.line("#declare {} = texture {{ Normal{} }}\n", normal_name(scene, object), bumps);
+        }
+}
 
 std::string normal_object(const Scene& scene, const Object& object) {
-    return textured(scene, object, "Normal") + " }";
+    return textured(scene, object, normal_name(scene, object)) + " }";
 }
 
 // directions: the inside of a sphere around the eye has the normal −d, turned to the viewer -----------------
@@ -76,14 +97,33 @@ std::string uv_texture(std::string_view mapping, std::string_view u, std::string
         mapping, u, v);
 }
 
+/// Whether functions of the place tell the coordinates; spheres, triangles and meshes have the textures
+/// above.
+bool has_own_uv(const Object& object) {
+    return std::holds_alternative<Plane>(object.shape) || std::holds_alternative<Disc>(object.shape) ||
+           std::holds_alternative<Box>(object.shape) || std::holds_alternative<Cone>(object.shape) ||
+           std::holds_alternative<OpenCone>(object.shape) || std::holds_alternative<Torus>(object.shape);
+}
+
 void write_uv_textures(Writer& out) {
     out.line("#declare SphereUv = {}\n",
              uv_texture("", "atan2(z, x) / (2 * pi) + (z < 0)", "0.5 + asin(min(max(y, -1), 1)) / pi"));
     out.line("#declare MeshUv = {}\n", uv_texture("uv_mapping ", "x", "y"));
     out.line("#declare NoUv = texture {{ pigment {{ rgb 0 }} finish {{ ambient 0 diffuse 0 }} }}\n");
+    for (std::size_t i = 0; i < out.scene.objects.size(); ++i)
+        if (const Object& object = out.scene.objects[i]; has_own_uv(object)) {
+            if (out.scene.sampling.count > 1 && std::holds_alternative<Plane>(object.shape))
+                refuse(out.scene, object,
+                       "coordinates beyond 0 and 1 as colours of several samples, each of which it limits");
+            const auto [mapped, u, v] = write_coordinates(out, object, i);
+            const auto shown = [](const std::string& x) { return fmt::format("min(max({}, 0), 1)", x); };
+            out.line("#declare Uv{} = {}\n", i, uv_texture("", shown(u), shown(v)));
+        }
 }
 
 std::string uv_object(const Scene& scene, const Object& object) {
+    if (has_own_uv(object))
+        return textured(scene, object, fmt::format("Uv{}", &object - scene.objects.data())) + " }";
     return with_uv(scene, object, transform_of(scene, object));
 }
 
@@ -91,7 +131,7 @@ constexpr Expression expressions[] = {
     {Integrator::Raytrace, scene_background, write_lights, write_materials, lit_object},
     {Integrator::Flat, scene_background, write_nothing, write_flat_materials, flat_object},
     {Integrator::Directions, direction_background, write_inward_lights, write_direction_sphere, nullptr},
-    {Integrator::Normals, scene_background, write_outward_lights, write_normal_texture, normal_object},
+    {Integrator::Normals, scene_background, write_outward_lights, write_normal_textures, normal_object},
     {Integrator::Uv, scene_background, write_nothing, write_uv_textures, uv_object},
 };
 

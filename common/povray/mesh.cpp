@@ -67,11 +67,21 @@ bool needs_inside(const Scene& scene, std::size_t mesh) {
     return std::ranges::any_of(scene.parts, shows) || std::ranges::any_of(scene.objects, is_around_eye);
 }
 
+/// Whether an object shows the mesh with a picture.
+bool has_picture_on(const Scene& scene, std::size_t mesh) {
+    return std::ranges::any_of(scene.objects, [&](const Object& object) {
+        const auto* shown = std::get_if<MeshObject>(&object.shape);
+        const std::int32_t texturing = material_of(scene, object).texturing;
+        return shown && shown->mesh == mesh && texturing >= 0 &&
+               scene.texturings[static_cast<std::size_t>(texturing)].picture;
+    });
+}
+
 }  // namespace
 
 void write_mesh(Writer& out, std::size_t index) {
     const Mesh& mesh = out.scene.meshes[index];
-    const bool uv = row_of(out.scene.integrator).uvs;
+    const bool uv = row_of(out.scene.integrator).uvs || has_picture_on(out.scene, index);
     std::vector<Vec3> normals = mesh.normals;
     std::vector<Vec2> uvs = mesh.uvs;
     Indices normal_indices, uv_indices;

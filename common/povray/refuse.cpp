@@ -2,6 +2,7 @@
 #include "common/povray/refuse.hpp"
 
 #include "common/math/input_error.hpp"
+#include "common/povray/bumps.hpp"
 #include "common/povray/camera.hpp"
 #include "common/povray/optics.hpp"
 #include "common/povray/placement.hpp"
@@ -100,6 +101,34 @@ void refuse_glass_shape(const Scene& scene, const Object& object) {
                "inside that stay outside");
 }
 
+void refuse_bumps(const Scene& scene, const Object& object) {
+    if (is_transparent(material_of(scene, object)))
+        refuse(scene, object, "transparent bumps, which it turns to the other side inside");
+    if (!words_of(object.shape).has_inside)
+        refuse(scene, object, "bumps that may be seen from behind, where it makes dents of them");
+    if (has_bounces(scene))
+        refuse(scene, object, "bumps that a mirror or glass may show: they lean as the eye sees them");
+}
+
+void refuse_texturing(const Scene& scene, const Object& object) {
+    const Material& m = material_of(scene, object);
+    const Texturing& t = scene.texturings[static_cast<std::size_t>(m.texturing)];
+    const ColorsOf& colors = t.colors;
+    if (t.picture && t.picture->filter >= TextureFilter::Trilinear)
+        refuse(scene, object, "a texture that is averaged over what a pixel sees");
+    if (t.pattern && t.pattern->kind == PatternKind::Cellular)
+        refuse(scene, object, "cells, whose random points its functions cannot compute");
+    if (colors.absorption && (t.picture || t.pattern) && !is_black(m.absorption))
+        refuse(scene, object, "absorption that varies");
+    const bool is_smooth = t.picture || (t.pattern && t.pattern->kind != PatternKind::Stripes &&
+                                         t.pattern->kind != PatternKind::Rings);
+    if (colors.shininess && is_smooth) refuse(scene, object, "shininess that varies smoothly");
+    if (t.picture && colors.transmission && is_transparent(m) && m.fresnel != Fresnel::None)
+        refuse(scene, object, "a picture of what goes through glass with fresnel");
+    if (t.picture && scene.min_contribution > 0 && (colors.specular || colors.transmission))
+        refuse(scene, object, "a picture of what mirrors or transmits with mincontribution");
+}
+
 }  // namespace
 
 void refuse(const Scene& scene, const Object& object, std::string_view why) {
@@ -112,12 +141,20 @@ void refuse(const Scene& scene, std::string_view why) {
 }
 
 void refuse_other_optics(const Scene& scene) {
+    const IntegratorRow& integrator = row_of(scene.integrator);
     for (const Object& object : scene.objects) {
+        if (integrator.materials && material_of(scene, object).texturing >= 0)
+            refuse_texturing(scene, object);
+        if ((integrator.lights || integrator.normals) && bumps_of(scene, material_of(scene, object)))
+            refuse_bumps(scene, object);
+        if (integrator.lights && material_of(scene, object).finish >= 0)
+            refuse(scene, object, "a finish, whose lobe it does not have");
         if (may_bounce(scene)) refuse_weights(scene, object);
         if (!is_glass(scene, object)) continue;
         refuse_material(scene, object);
         refuse_glass_shape(scene, object);
     }
+    if (scene.sky && absorbs(scene)) refuse(scene, "absorption under a sky of more than one colour");
     if (!may_bounce(scene)) return;
     refuse_nested_fresnel(scene);
     refuse_partly_inside(scene);

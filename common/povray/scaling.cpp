@@ -53,6 +53,10 @@ void scale_world(Scene& scene, Real factor) {
     for (Mesh& mesh : scene.meshes)
         for (Vec3& p : mesh.positions) p *= factor;
     for (Material& m : scene.materials) m.checker.size *= factor, m.absorption /= factor;
+    for (Texturing& texturing : scene.texturings) {
+        if (texturing.pattern) texturing.pattern->size *= factor;
+        texturing.bumps.height *= factor, texturing.bumps.size *= factor;
+    }
     for (TransformNode& node : scene.transforms)
         if (auto* move = std::get_if<Translate>(&node.step)) move->by *= factor;
     for (Object& object : scene.objects) scale(scene, object, factor);

@@ -2,6 +2,8 @@
 #include "common/render/compile.hpp"
 
 #include "chapters/01_ray_casting/camera.hpp"
+#include "chapters/11_textures/harmonics.hpp"
+#include "chapters/11_textures/mip_map.hpp"
 #include "common/render/accelerate.hpp"
 #include "common/render/combinations.hpp"
 #include "common/render/eye_inside.hpp"
@@ -13,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 
 namespace rt {
 namespace {
@@ -55,6 +59,51 @@ void compile_materials(const Scene& scene, World& world) {
     world.patterns.resize(world.needs.patterns ? world.materials.size() : 0);
 }
 
+/// The textures and bumps of the materials, of which those of odd cubes are copies of others: they are found
+/// by the material of the primitive.
+void compile_textures(const Scene& scene, World& world) {
+    const IntegratorRow& integrator = row_of(scene.integrator);
+    std::map<const Image*, std::shared_ptr<const MipMap>> pyramids;  // each picture's once
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const std::int32_t number = scene.materials[i].texturing;
+        if (number < 0) continue;
+        const Texturing& from = scene.texturings[static_cast<std::size_t>(number)];
+        if (integrator.materials && (from.picture || from.pattern)) {
+            world.needs.textures = true;
+            world.textures.resize(scene.materials.size());
+            MaterialTexture& texture = world.textures[i];
+            texture.pattern = from.pattern, texture.colors = from.colors;
+            if (from.picture) {
+                world.needs.uvs = true;
+                texture.picture = scene.pictures[from.picture->picture].image;
+                texture.wrap = from.picture->wrap, texture.filter = from.picture->filter;
+                if (texture.filter >= TextureFilter::Trilinear) {
+                    world.needs.footprints = true;
+                    std::shared_ptr<const MipMap>& pyramid = pyramids[texture.picture.get()];
+                    if (!pyramid) pyramid = std::make_shared<const MipMap>(mip_map(*texture.picture));
+                    texture.pyramid = pyramid;
+                }
+            }
+        }
+        if ((integrator.lights || integrator.normals) && from.bumps.height != 0) {
+            world.needs.bumps = true;
+            world.bumps.resize(scene.materials.size());
+            world.bumps[i] = from.bumps;
+        }
+    }
+}
+
+/// The sky, and what it lights.
+void compile_sky(const Scene& scene, World& world) {
+    if (!scene.sky) return;
+    world.sky = *scene.sky;
+    world.needs.sky = true;
+    const auto scatters = [](const Material& m) { return !is_zero(m.diffuse); };
+    world.needs.skylight = scene.skylight && row_of(scene.integrator).lights &&
+                           std::any_of(world.materials.begin(), world.materials.end(), scatters);
+    if (world.needs.skylight) world.skylight = sky_light(world.sky);
+}
+
 void compile_lights(const Scene& scene, World& world) {
     const auto reflects = [](const Material& m) { return !is_zero(m.diffuse) || !is_zero(m.specular); };
     if (!std::any_of(world.materials.begin(), world.materials.end(), reflects)) return;
@@ -77,6 +126,9 @@ void derive_needs(const Scene& scene, World& world) {
         needs.lights = !world.point_lights.empty() || !world.directional_lights.empty();
         needs.highlights = needs.lights && any([](const Material& m) { return !is_zero(m.specular); });
         needs.shadows = needs.lights && scene.shadows;
+        needs.finishes =
+            needs.lights && any([](const Material& m) { return m.finish >= 0 && !is_zero(m.diffuse); });
+        if (needs.finishes) world.finishes = scene.finishes;
         needs.colored_shadows =
             needs.shadows && any([](const Material& m) { return !is_zero(m.transmission); });
     }
@@ -96,9 +148,22 @@ void derive_needs(const Scene& scene, World& world) {
         return false;
     };
     needs.normals =
-        (integrator.normals || needs.lights || needs.reflection || needs.refraction) &&
+        (integrator.normals || needs.lights || needs.skylight || needs.reflection || needs.refraction) &&
         (std::ranges::any_of(scene.objects, is_smooth) || std::ranges::any_of(scene.parts, is_smooth));
-    needs.uvs = integrator.uvs;
+    if (integrator.uvs) needs.uvs = true;
+}
+
+/// The greatest number that the texture of a material multiplies what mirrors or transmits by; at least 1.
+Real greatest_factor(const World& world, std::uint32_t material) {
+    if (!world.needs.textures) return 1;
+    const MaterialTexture& texture = world.textures[material];
+    if (!texture.colors.specular && !texture.colors.transmission) return 1;
+    Real greatest = 1;
+    if (texture.picture)
+        for (const Vec3& pixel : texture.picture->pixels) greatest = std::max(greatest, size_of(pixel));
+    if (texture.pattern)
+        greatest *= std::max({Real(1), size_of(texture.pattern->first), size_of(texture.pattern->second)});
+    return greatest;
 }
 
 /// Refuses what could make light so strong that its number ends. A factor above 1 may be met once a bounce,
@@ -113,7 +178,9 @@ void check_growth_of_light(const Scene& scene, const World& world) {
     const Real bounces = world.needs.reflection || world.needs.refraction ? world.max_depth : 0;
     for (const Object& object : scene.objects) {
         const Material& m = world.materials[object.material];
-        const Real filter = size_of(m.transmission), factor = std::max(filter, size_of(m.specular));
+        const Real textured = greatest_factor(world, object.material);
+        const Real filter = textured * size_of(m.transmission),
+                   factor = std::max(filter, textured * size_of(m.specular));
         const bool grows =
             (factor > 1 && bounces * std::log10(factor) > std::log10(largest_number)) ||
             (filter > 1 && surfaces[object.material] * std::log10(filter) > std::log10(largest_number));
@@ -158,6 +225,8 @@ World compile(const Scene& scene) {
     if (scene.visibility == Visibility::Rasterize) check_rasterized(scene);
     if (!row_of(scene.integrator).objects) return world;
     compile_materials(scene, world);
+    compile_textures(scene, world);
+    compile_sky(scene, world);
     derive_needs(scene, world);
     add_primitives(scene, world);
     check_growth_of_light(scene, world);

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 namespace rt {
@@ -28,12 +29,22 @@ std::size_t bytes_of(const Group<Shape>& group) {
     for (const Shape& shape : group.shapes) sum += owned_bytes(shape);
     return sum;
 }
+/// Each picture once.
+std::set<const Image*> pictures_of(const World& world) {
+    std::set<const Image*> pictures;
+    for (const MaterialTexture& texture : world.textures) pictures.insert(texture.picture.get());
+    if (const auto* sky = std::get_if<ImageSky>(&world.sky)) pictures.insert(sky->image.get());
+    pictures.erase(nullptr);
+    return pictures;
+}
 std::size_t bytes_of(const World& world) {
-    std::size_t sum = bytes_of(world.primitives, world.materials, world.patterns, world.point_lights,
-                               world.directional_lights, world.faces, world.sheets);
+    std::size_t sum =
+        bytes_of(world.primitives, world.materials, world.patterns, world.textures, world.bumps,
+                 world.finishes, world.point_lights, world.directional_lights, world.faces, world.sheets);
     for (const AnyGroup& any : world.groups)
         sum += std::visit([](const auto& group) { return bytes_of(group); }, any);
     for (const auto& mesh : world.meshes) sum += bytes_of(mesh->triangles);
+    for (const Image* picture : pictures_of(world)) sum += bytes_of(picture->pixels);
     return sum;
 }
 
@@ -129,9 +140,21 @@ void explain_features(const Scene& scene, const World& world, Explanation& expla
                  transformed ? "every transform is baked into its shape" : "no object is transformed");
     sort.feature(needs.normals, "interpolated normals", "some triangles are smooth",
                  "no smooth triangle whose normal the picture shows");
-    sort.feature(needs.uvs, "texture coordinates", "the integrator shows them",
+    sort.feature(needs.uvs, "texture coordinates",
+                 row_of(scene.integrator).uvs ? "the integrator shows them" : "some material has a picture",
                  "nothing in the picture uses them");
-    sort.feature(needs.patterns, "patterns", "some material has a checker", "no material has a checker");
+    sort.feature(needs.patterns, "checkers", "some material has one", "no material has one");
+    sort.feature(needs.textures, "textures", "some material has a picture or a pattern of two colours",
+                 "no material varies from place to place");
+    sort.feature(needs.footprints, "ray differentials", "some texture is averaged over what a pixel sees",
+                 "no texture asks how much of it a pixel sees");
+    sort.feature(needs.bumps, "bumps", "some material has them", "no material has them");
+    sort.feature(needs.sky, "the sky's colours", "they depend on the direction",
+                 "the background is one colour");
+    sort.feature(needs.skylight, "light from the sky", "the scene says 'skylight'",
+                 needs.sky ? "nothing asks for it" : "there is no sky");
+    sort.feature(needs.finishes, "finishes", "some material spreads light in another way than evenly",
+                 needs.lights ? "all diffuse light is spread evenly" : "no lights");
     sort.feature(needs.highlights, "highlights", "some material is specular",
                  needs.lights ? "no material is specular" : "no lights");
     sort.feature(needs.shadows, "shadow rays", "there are lights",
@@ -180,6 +203,7 @@ std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
     if (needs.shadows || recursion) chapters.emplace_back("06");
     if (recursion) chapters.emplace_back("07");
     if (needs.samples) chapters.emplace_back("08");
+    if (needs.textures || needs.bumps || needs.sky || needs.finishes) chapters.emplace_back("11");
     // An accelerator that the scene does not ask for is a matter of time only.
     for (const AcceleratorWord& word : accelerator_words)
         if (needs.accelerators && word.value == scene.accelerator && !word.chapter.empty())

@@ -14,6 +14,11 @@ bool contains(const Plane& plane, const Vec3& point) {
     return glm::dot(plane.normal, point - plane.point) < 0;
 }
 
+template <class Shape>
+bool contains(const Placed<Shape>& placed, const Vec3& point) {
+    return contains(placed.shape, transform_point(placed.transform.to_local, point));
+}
+
 /// Corrects what the line says of shapes without an end: a line out of one need not cross its surface. Those
 /// are left last.
 void decide_endless(const World& world, std::vector<Medium>& inside) {

@@ -84,25 +84,37 @@ void append_in(const Group<Shape>& group, const Ray& ray, Interval range, std::v
         group.accelerator);
 }
 
+// Texture coordinates: `has_uv` says whether a shape has any, `uv_at` what they are at a point of its
+// surface.
+
+template <class Shape>
+constexpr bool has_uv = requires(const Shape& shape) {
+    texture_point(shape, Vec3(), std::uint32_t());
+};
+template <class Shape>
+constexpr bool has_uv<Placed<Shape>> = has_uv<Shape>;
+template <>
+inline constexpr bool has_uv<Triangle> = true;  // those of its corners
+template <>
+inline constexpr bool has_uv<MeshUse> = true;
+
+template <class Shape>
+Vec2 uv_at(const Shape& shape, const Vec3& point, std::uint32_t element) {
+    return texture_point(shape, point, element).uv;
+}
+template <class Shape>
+Vec2 uv_at(const Placed<Shape>& placed, const Vec3& point, std::uint32_t element) {
+    return uv_at(placed.shape, transform_point(placed.transform.to_local, point), element);
+}
+
 /// The surface at a hit with the group's shape `index`, with what the group keeps beside the shapes.
 template <class Shape>
-Surface surface_in(const World&, const Group<Shape>& group, std::uint32_t index, const Ray& ray,
+Surface surface_in(const World& world, const Group<Shape>& group, std::uint32_t index, const Ray& ray,
                    const Hit& hit) {
-    return surface_at(group.shapes[index], ray, hit);
-}
-inline Surface surface_in(const World& world, const Group<Sphere>& group, std::uint32_t index, const Ray& ray,
-                          const Hit& hit) {
-    Surface surface = surface_at(group.shapes[index], ray, hit);
-    if (world.needs.uvs) surface.uv = sphere_uv(surface.normal);
-    return surface;
-}
-inline Surface surface_in(const World& world, const Group<Ellipsoid>& group, std::uint32_t index,
-                          const Ray& ray, const Hit& hit) {
-    const Ellipsoid& ellipsoid = group.shapes[index];
-    Surface surface = surface_at(ellipsoid, ray, hit);
-    // On the unit sphere that the ellipsoid is in its own space, the point is the normal.
-    if (world.needs.uvs)
-        surface.uv = sphere_uv(normalize(transform_point(ellipsoid.transform.to_local, surface.point)));
+    const Shape& shape = group.shapes[index];
+    Surface surface = surface_at(shape, ray, hit);
+    if constexpr (has_uv<Shape> && !std::is_same_v<Shape, Instance>)
+        if (world.needs.uvs) surface.uv = uv_at(shape, surface.point, hit.element);
     return surface;
 }
 inline Surface surface_in(const World&, const Group<Triangle>& group, std::uint32_t index, const Ray& ray,

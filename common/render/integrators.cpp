@@ -3,6 +3,7 @@
 #include "common/render/integrators.hpp"
 
 #include "chapters/07_recursion/radiance.hpp"
+#include "common/render/filtered.hpp"
 #include "common/render/groups.hpp"
 #include "common/render/lights.hpp"
 #include "common/scene/integrators.hpp"
@@ -39,7 +40,7 @@ struct OnlyShape {
 /// The function that `make` makes for the way in which this world is asked.
 template <class Make>
 RayColor for_shapes(const World& world, Make make) {
-    if (world.groups.size() != 1) return make.template operator()<AllShapes>();
+    if (world.groups.size() != 1 || world.needs.bumps) return make.template operator()<AllShapes>();
     return std::visit(
         [&]<class Shape>(const Group<Shape>& group) {
             // Next to a search by an accelerator, the choice of a shape is nothing.
@@ -61,7 +62,7 @@ RayColor nearest(const World& world) {
     return for_shapes(world, []<class Among>() -> RayColor { return color_of_nearest<Show, Among>; });
 }
 
-/// The material at a hit where no material has a pattern. Nobody needs to know the surface then, and what the
+/// The material at a hit where no material varies. Nobody needs to know the surface then, and what the
 /// world keeps is not copied.
 const Material& plain_material(const World& world, const Hit& hit) {
     return world.materials[world.primitives[hit.primitive].material];
@@ -99,7 +100,7 @@ struct TextureCoordinates {
 
 // flat
 
-/// What a thing shows without any light, where there are no patterns.
+/// What a thing shows without any light, where no material varies.
 struct PlainLight {
     template <class Among>
     static Vec3 of(const World& world, const Ray&, const Hit& hit) {
@@ -108,11 +109,11 @@ struct PlainLight {
     }
 };
 
-/// The same, with patterns or without.
+/// The same, whether materials vary or not.
 struct OwnLight {
     template <class Among>
     static Vec3 of(const World& world, const Ray& ray, const Hit& hit) {
-        if (!world.needs.patterns) return PlainLight::of<Among>(world, ray, hit);
+        if (!varies(world.needs)) return PlainLight::of<Among>(world, ray, hit);
         const Material material = material_at(world, hit, Among::surface(world, ray, hit));
         return material.ambient + material.emission;
     }
@@ -120,13 +121,12 @@ struct OwnLight {
 
 Vec3 cast_ray_color(const World& world, const Ray& ray, Stream&) { return cast_ray(world, ray); }
 
-RayColor flat(const World&) { return cast_ray_color; }
+RayColor flat(const World& world) { return world.needs.footprints ? filtered_own_light : cast_ray_color; }
 
 // raytrace
 
-/// The shading sum of SCENE_FORMAT.md, without reflection. Whether there are patterns is decided once a
-/// picture.
-template <bool patterns>
+/// The shading sum of SCENE_FORMAT.md, without reflection. Whether materials vary is decided once a picture.
+template <bool varied>
 struct SumOfLights {
     template <class Among>
     static Vec3 of(const World& world, const Ray& ray, const Hit& hit) {
@@ -138,7 +138,7 @@ struct SumOfLights {
 
 private:
     static decltype(auto) material_of(const World& world, const Hit& hit, const Surface& surface) {
-        if constexpr (patterns)
+        if constexpr (varied)
             return material_at(world, hit, surface);
         else
             return plain_material(world, hit);
@@ -149,10 +149,11 @@ Vec3 radiance_color(const World& world, const Ray& ray, Stream&) { return radian
 
 RayColor raytrace(const World& world) {
     const Needs& needs = world.needs;
+    if (needs.footprints) return filtered_radiance;
     if (needs.reflection || needs.refraction) return radiance_color;
-    if (needs.lights)
-        return needs.patterns ? nearest<SumOfLights<true>>(world) : nearest<SumOfLights<false>>(world);
-    return needs.patterns ? cast_ray_color : nearest<PlainLight>(world);
+    if (needs.lights || needs.skylight)
+        return varies(needs) ? nearest<SumOfLights<true>>(world) : nearest<SumOfLights<false>>(world);
+    return varies(needs) ? cast_ray_color : nearest<PlainLight>(world);
 }
 
 /// The rendering half of a row.

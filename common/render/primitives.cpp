@@ -98,6 +98,10 @@ struct PrimitiveBuilder {
     template <class Shape>
     void append(Shape shape) {
         static_assert(is_in<Shape>(Shapes()), "this shape is missing in Shapes (common/world/shapes.hpp)");
+        if constexpr (!has_uv<Shape>)
+            if (!world.textures.empty() && world.textures[object->material].picture)
+                limits().fail("this " + std::string(words_of(object->shape).name) +
+                              " has no texture coordinates for its 'texture'");
         if (tree) {
             // Shapes without an inside have been refused where the file was read.
             if constexpr (is_solid<Shape>(std::type_identity<Solid>())) {
@@ -113,11 +117,16 @@ struct PrimitiveBuilder {
     template <class Shape>
     void add(const Shape& shape) {
         if (!transform) return append_checked(shape);
+        // What is turned may be the same shape, but for its texture coordinates.
         if constexpr (requires { transformed(shape, *transform); })
-            if (const std::optional<Shape> moved = transformed(shape, *transform))
-                return append_checked(*moved);
+            if (!keeps_its_turn())
+                if (const std::optional<Shape> moved = transformed(shape, *transform))
+                    return append_checked(*moved);
         append_checked(Placed<Shape>{*transform, shape});
     }
+
+    /// Whether it shows how the object is turned, even if its outline does not.
+    bool keeps_its_turn() const { return world.needs.uvs && transforms.turns(*object); }
 
     /// Refuses a shape whose bounds are out of range.
     template <class Shape>
@@ -135,13 +144,15 @@ struct PrimitiveBuilder {
         // Of any length in the file; no plane is another by a power of two.
         const Plane baked{point(plane.point), near_one(normal(near_one(plane.normal)))};
         limits().check_place(baked.point);
-        append(baked);
+        if (transform && world.needs.uvs)
+            append(Placed<Plane>{*transform, {plane.point, near_one(plane.normal)}});
+        else
+            append(baked);
     }
 
     void add(const Sphere& sphere) {
         const std::optional<Real> factor = transforms.similarity(*object);
-        // A sphere that is turned is the same sphere, but for its texture coordinates.
-        if (factor && !(world.needs.uvs && transforms.turns(*object))) {
+        if (factor && !keeps_its_turn()) {
             const Sphere baked{point(sphere.center), sphere.radius * *factor};
             limits().check_place(baked.center);
             limits().check_size("radii", baked.radius);

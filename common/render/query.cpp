@@ -2,8 +2,10 @@
 #include "common/world/query.hpp"
 
 #include "chapters/01_ray_casting/camera.hpp"
+#include "chapters/11_textures/sky.hpp"
 #include "common/render/groups.hpp"
 #include "common/render/lights.hpp"
+#include "common/render/textures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -111,9 +113,11 @@ std::vector<Hit> all_hits(const SharedMesh& mesh, const Ray& local) {
 
 Surface surface_at(const World& world, const Ray& ray, const Hit& hit) {
     const Primitive& primitive = world.primitives[hit.primitive];
-    return visit_group(world.groups[primitive.group], [&](const auto& group) {
+    Surface surface = visit_group(world.groups[primitive.group], [&](const auto& group) {
         return surface_in(world, group, primitive.index, ray, hit);
     });
+    if (world.needs.bumps) apply_bumps(world, ray, hit, surface);
+    return surface;
 }
 
 std::uint32_t material_index(const World& world, const Hit& hit, const Surface& surface) {
@@ -128,8 +132,12 @@ std::uint32_t material_index(const World& world, const Hit& hit, const Surface& 
 }
 
 Material material_at(const World& world, const Hit& hit, const Surface& surface) {
-    return world.materials[material_index(world, hit, surface)];
+    Material material = world.materials[material_index(world, hit, surface)];
+    if (world.needs.textures) apply_texture(world, hit, surface, nullptr, material);
+    return material;
 }
+
+Vec3 sky_color(const World& world, const Vec3& direction) { return sky_radiance(world.sky, direction); }
 
 const Material* material_around(const World& world, std::span<const Medium> inside) {
     for (auto medium = inside.rbegin(); medium != inside.rend(); ++medium)

@@ -29,7 +29,10 @@ constexpr Synonym commands[] = {
     {"ortho", "orthographic"},
     {"renderer", "integrator"},
     {"bgcolor", "background"},
-    {"sky", "background"},
+    {"sky", "background' or 'skyGradient"},
+    {"envmap", "environment"},
+    {"skybox", "environment"},
+    {"hdri", "environment"},
     {"samples", "spp"},
     {"samplesperpixel", "spp"},
     {"sampleCount", "spp"},
@@ -87,6 +90,11 @@ constexpr Synonym commands[] = {
     {"refractiveIndex", "ior"},
     {"indexOfRefraction", "ior"},
     {"eta", "ior"},
+    {"map", "texture"},
+    {"textureMap", "texture"},
+    {"image", "texture"},
+    {"bump", "bumps"},
+    {"material", "finish"},
     // Lights
     {"light", "point' or 'directional"},
     {"lightsource", "point' or 'directional"},
@@ -123,8 +131,6 @@ struct Later {
 };
 
 constexpr Later later[] = {
-    {"texture", "11"},
-    {"environment", "11"},
     {"quadLight", "12"},
     {"lightsamples", "12"},
     {"lightstratify", "12"},

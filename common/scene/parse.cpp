@@ -20,11 +20,10 @@ using namespace language;
 constexpr std::size_t longest_line = std::size_t{1} << 20;
 constexpr const char* line_skipped = " (line skipped)";
 
-/// A row of the table, and how many arguments it needs.
+/// A row of the table, and how many arguments it takes.
 struct Command {
     const CommandRow* row;
-    std::size_t arguments;  ///< there must be so many, or at least so many if `any_more`
-    bool any_more;
+    std::size_t least, most;
 };
 
 const std::unordered_map<std::string_view, Command>& commands_by_name() {
@@ -33,8 +32,10 @@ const std::unordered_map<std::string_view, Command>& commands_by_name() {
         std::vector<std::string_view> words;
         for (const CommandRow& row : all_commands()) {
             split_words(row.reference.arguments, words);
-            const bool any_more = !words.empty() && words.back() == "...";
-            map.emplace(row.reference.name, Command{&row, words.size() - (any_more ? 1 : 0), any_more});
+            const std::string_view last = words.empty() ? "" : words.back();
+            const bool any_more = last == "...", one_more = last.starts_with('[');
+            const std::size_t least = words.size() - (any_more || one_more ? 1 : 0);
+            map.emplace(row.reference.name, Command{&row, least, any_more ? longest_line : words.size()});
         }
         return map;
     }();
@@ -53,21 +54,22 @@ void unknown_command(const Parser& parser) {
 }
 
 void check_argument_count(Parser& parser, const Command& command) {
-    const std::size_t count = parser.words.size() - 1, needed = command.arguments;
-    const auto complaint = [&](const char* adverb) {
+    const std::size_t count = parser.words.size() - 1, least = command.least, most = command.most;
+    const auto complaint = [&](const char* adverb, std::size_t needed) {
         return quoted(parser.words[0]) + " needs " + adverb + std::to_string(needed) +
                (needed == 1 ? " argument" : " arguments") + ", here " + (count == 1 ? "is " : "are ") +
                std::to_string(count) + expected(parser);
     };
     // What is missing is missing behind the last word.
-    if (count < needed)
+    if (count < least)
         throw InputError(message_at(parser, parser.words.back().data() + parser.words.back().size(),
-                                    complaint(command.any_more ? "at least " : "")));
-    if (count == needed || command.any_more) return;
-    const std::string_view surplus = parser.words[needed + 1];
-    if (!parser.options.lenient) fail(parser, surplus, complaint(""));
-    warn(parser, surplus.data(), complaint("") + " (the rest of the line is skipped)");
-    parser.words.resize(needed + 1);
+                                    complaint(least < most ? "at least " : "", least)));
+    if (count <= most) return;
+    const std::string_view surplus = parser.words[most + 1];
+    const std::string what = complaint(least < most ? "at most " : "", most);
+    if (!parser.options.lenient) fail(parser, surplus, what);
+    warn(parser, surplus.data(), what + " (the rest of the line is skipped)");
+    parser.words.resize(most + 1);
 }
 
 void parse_line(Parser& parser) {
@@ -119,6 +121,7 @@ Scene parse_scene(const std::filesystem::path& file, const ParseOptions& options
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, const Scene& scene) {
     std::vector<std::filesystem::path> files{file};
     for (const Mesh& mesh : scene.meshes) files.push_back(file.parent_path() / mesh.file);
+    for (const PictureFile& picture : scene.pictures) files.push_back(file.parent_path() / picture.file);
     return files;
 }
 

@@ -22,26 +22,27 @@ struct ParseOptions {
     /// choice or of a setting (`maxdepth -1`), arguments beyond the last, and in meshes what MeshOptions
     /// says.
     bool lenient = false;
-    bool meshes = true;                            ///< `mesh` may read files; without this it is an error
+    bool files = true;  ///< commands may read files, such as `mesh`; without this that is an error
     std::vector<std::string>* warnings = nullptr;  ///< one line each is appended; may be null
 };
 
-/// The scene of a file. Meshes are looked for relative to the file's directory.
+/// The scene of a file. Meshes and pictures are looked for relative to the file's directory.
 /// Throws InputError for anything wrong: one line, `file:line:column: what is wrong`, or `file: …` where the
 /// file cannot be read. Columns count bytes from 1; a tab is one.
 Scene parse_scene(const std::filesystem::path& file, const ParseOptions& options = {});
 
-/// The same from text; `name` stands for the file in messages, meshes are looked for in `directory`.
+/// The same from text; `name` stands for the file in messages, other files are looked for in `directory`.
 Scene parse_scene_text(std::string_view text, const std::string& name,
                        const std::filesystem::path& directory = {}, const ParseOptions& options = {});
 
-/// The files that were read for `scene`, the scene of `file`: that file, and those of its meshes.
+/// The files that were read for `scene`, the scene of `file`: that file, its meshes and its pictures.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& file, const Scene& scene);
 
 /// One command of the language, as the reference documents it.
 struct SceneCommand {
     std::string name;
-    std::string arguments;  ///< one word an argument; `a|b` is a choice, a last `...` means any number more
+    std::string arguments;  ///< one word an argument; `a|b` is a choice, a last `[x]` may be
+                            ///< left out, a last `...` means any number more
     std::string meaning;    ///< a sentence, in Markdown
     std::string chapter;    ///< number of the chapter that brings it, such as "02"
 };

@@ -7,8 +7,11 @@
 #include "common/scene/integrators.hpp"
 #include "common/scene/sampling.hpp"
 #include "common/scene/shapes.hpp"
+#include "common/scene/sky.hpp"
+#include "common/scene/textures.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -47,6 +50,14 @@ enum class Fresnel { None, Exact, Schlick };
 /// Which formula shapes a highlight.
 enum class Highlight { Blinn, Phong };
 
+/// How diffuse light is spread: evenly, or as a lobe of chapter 11 does.
+enum class FinishKind { Plain, Matte, Velvet, Metal, Coated };
+struct Finish {
+    FinishKind kind = FinishKind::Plain;
+    Real value = 0;  ///< the lobe's roughness, of Coated its index of refraction
+    friend bool operator==(const Finish&, const Finish&) = default;
+};
+
 /// Everything the material commands set. Colours are linear RGB.
 struct Material {
     Vec3 ambient{0.2};
@@ -55,11 +66,13 @@ struct Material {
     Vec3 emission{0};
     Real shininess = 0;
     Highlight highlight = Highlight::Blinn;
-    Checker checker;       ///< all ones where no `checker` was said
-    Vec3 transmission{0};  ///< weight of the refracted ray; zero is opaque
-    Real ior = 1;          ///< index of refraction inside
+    std::int32_t texturing = -1;  ///< index into Scene::texturings; −1 is the same everywhere
+    Checker checker;              ///< all ones where no `checker` was said
+    Vec3 transmission{0};         ///< weight of the refracted ray; zero is opaque
+    Real ior = 1;                 ///< index of refraction inside
     Fresnel fresnel = Fresnel::None;
-    Vec3 absorption{0};  ///< Beer–Lambert coefficient inside, per world unit
+    std::int32_t finish = -1;  ///< index into Scene::finishes; −1 is plain
+    Vec3 absorption{0};        ///< Beer–Lambert coefficient inside, per world unit
     friend bool operator==(const Material&, const Material&) = default;
 };
 
@@ -131,12 +144,17 @@ struct Scene {
     Visibility visibility = Visibility::Rays;
     SourcePlace visibility_place;
     Vec3 background{0};
+    std::optional<Sky> sky;  ///< instead of the background; its picture is one of `pictures`
+    bool skylight = false;   ///< `skylight`: diffuse light from the sky
     Camera camera;
 
     std::vector<Vec3> vertices;
     std::vector<SmoothVertex> smooth_vertices;
-    std::vector<Mesh> meshes;  ///< each file once
+    std::vector<Mesh> meshes;           ///< each file once
+    std::vector<PictureFile> pictures;  ///< likewise
     std::vector<Material> materials;
+    std::vector<Texturing> texturings;
+    std::vector<Finish> finishes;
     std::vector<TransformNode> transforms;
     std::vector<Object> objects;
     std::vector<Object> parts;  ///< what combinations are made of; theirs stand before them

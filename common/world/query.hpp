@@ -39,10 +39,11 @@ std::vector<Hit> all_hits(const SharedMesh& mesh, const Ray& local);
 /// The surface at a hit that `closest_hit` returned for the same world and ray.
 Surface surface_at(const World& world, const Ray& ray, const Hit& hit);
 
-/// The material at a hit, its pattern decided: index into world.materials.
+/// The material at a hit, its checker decided: index into world.materials.
 std::uint32_t material_index(const World& world, const Hit& hit, const Surface& surface);
 
-/// The material at a hit, its pattern decided. A value, because its numbers may be this hit's own.
+/// The material at a hit, its checker decided, its textures applied. A value, because its numbers may be this
+/// hit's own.
 Material material_at(const World& world, const Hit& hit, const Surface& surface);
 
 /// The material of what is around a ray that is inside of these, outermost first: of the last that is not a
@@ -50,13 +51,19 @@ Material material_at(const World& world, const Hit& hit, const Surface& surface)
 const Material* material_around(const World& world, std::span<const Medium> inside);
 
 /// Radiance that the surface sends towards the viewer by itself and by reflecting the lights directly:
-/// ambient + emission + Σ visible · L/(c + l·d + q·d²) · (diffuse · max(n·l, 0) + specular · highlight).
-/// `normal` is the unit shading normal, turned to the viewer; `to_viewer` is a unit vector.
+/// ambient + emission + diffuse · skylight + Σ visible · L/(c + l·d + q·d²) · (diffuse · max(n·l, 0) +
+/// specular · highlight). `normal` is the unit shading normal, turned to the viewer; `to_viewer` is a unit
+/// vector.
 Vec3 local_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
                  const Vec3& to_viewer);
 
+/// What the sky shows in a direction, of any length but 0, in a world whose needs say that it has one.
+Vec3 sky_color(const World& world, const Vec3& direction);
+
 /// What is seen in a direction, of any length but 0, where nothing is hit.
-inline Vec3 background(const World& world, const Vec3& /*direction*/) { return world.background; }
+inline Vec3 background(const World& world, const Vec3& direction) {
+    return world.needs.sky ? sky_color(world, direction) : world.background;
+}
 
 /// What a camera ray is a function of.
 struct CameraSample {

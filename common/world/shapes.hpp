@@ -81,8 +81,8 @@ struct List {};
 ///     works out once a ray what all of them need, and `transformed` takes a transform into the shape's own
 ///     numbers; where there is none, a transform makes it a Placed<Shape>, which is another word in this
 ///     list.
-using Shapes = List<Plane, Sphere, Triangle, Polygon, Ellipsoid, Instance, Box, Placed<Box>, Disc,
-                    Placed<Disc>, Cone, Placed<Cone>, OpenCone, Placed<OpenCone>, Torus, Placed<Torus>,
+using Shapes = List<Plane, Sphere, Triangle, Polygon, Ellipsoid, Instance, Placed<Plane>, Box, Placed<Box>,
+                    Disc, Placed<Disc>, Cone, Placed<Cone>, OpenCone, Placed<OpenCone>, Torus, Placed<Torus>,
                     Implicit, Placed<Implicit>, Quadric, Placed<Quadric>, Combination>;
 
 /// What messages call a shape, whose code it runs, what it costs, and what holds of every one.
@@ -118,6 +118,11 @@ template <>
 inline constexpr ShapeWords words<Instance>{
     "instance with its matrices", "instances with their matrices", {"04.6", "03.4", "03.5"}};
 
+template <>
+inline constexpr ShapeWords words<Placed<Plane>>{.one = "plane with its matrices",
+                                                 .many = "planes with their matrices",
+                                                 .steps = {"04.6", "01.4"},
+                                                 .is_endless = true};
 template <>
 inline constexpr ShapeWords words<Box>{"box", "boxes", {"10.1", "10.2"}};
 template <>

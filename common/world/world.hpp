@@ -2,6 +2,8 @@
 #pragma once
 
 #include "common/scene/sampling.hpp"
+#include "common/scene/sky.hpp"
+#include "common/scene/textures.hpp"
 #include "common/world/accelerators.hpp"
 #include "common/world/hit.hpp"
 #include "common/world/shapes.hpp"
@@ -9,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <variant>
 #include <vector>
@@ -105,12 +108,28 @@ struct Pattern {
     std::uint32_t odd = 0;  ///< index of the material in the odd cubes
 };
 
+/// What multiplies a material's colours at each place.
+struct MaterialTexture {
+    std::shared_ptr<const Image> picture;   ///< at the texture coordinates; null is none
+    std::shared_ptr<const MipMap> pyramid;  ///< of that picture, where the filter needs it
+    Wrap wrap = Wrap::Repeat;
+    TextureFilter filter = TextureFilter::Bilinear;
+    std::optional<SolidPattern> pattern;  ///< at the point
+    ColorsOf colors;                      ///< which of them
+};
+
 /// What the picture depends on. A feature that is false is not stored, computed or asked for per ray.
 struct Needs {
     bool transforms = false;       ///< some primitive keeps a matrix
     bool normals = false;          ///< some normal is interpolated
     bool uvs = false;              ///< texture coordinates are used
     bool patterns = false;         ///< some material has a checker
+    bool textures = false;         ///< some material has a picture or a pattern of two colours
+    bool footprints = false;       ///< some texture is averaged over what a pixel sees
+    bool bumps = false;            ///< some material has bumps
+    bool sky = false;              ///< the background depends on the direction
+    bool finishes = false;         ///< some material spreads diffuse light in another way than evenly
+    bool skylight = false;         ///< the sky lights what is diffuse
     bool lights = false;           ///< some light can contribute
     bool highlights = false;       ///< some material has a specular highlight, and there are lights
     bool shadows = false;          ///< shadow rays are cast
@@ -122,20 +141,28 @@ struct Needs {
     bool samples = false;          ///< pixels have more than one sample, or share samples by a wide filter
 };
 
+/// Whether some material's numbers depend on the place.
+inline bool varies(const Needs& needs) { return needs.patterns || needs.textures; }
+
 /// A compiled scene. Equal for equal scenes; the renderer never changes it.
 struct World {
     View view;
     Sampling sampling;
     Vec3 background{0};
+    Sky sky;  ///< instead of the background, if needs.sky
+    SkyLight skylight;
     Integrator integrator = Integrator::Raytrace;
     Visibility visibility = Visibility::Rays;
     int max_depth = 5;
     Real min_contribution = 0;
     Needs needs;
-    std::vector<AnyGroup> groups;       ///< only kinds that occur, none empty
-    std::vector<Primitive> primitives;  ///< in the order of the file
-    std::vector<Material> materials;    ///< patterns are resolved: a checker is two materials
-    std::vector<Pattern> patterns;      ///< one a material; empty where no material has a pattern
+    std::vector<AnyGroup> groups;           ///< only kinds that occur, none empty
+    std::vector<Primitive> primitives;      ///< in the order of the file
+    std::vector<Material> materials;        ///< patterns are resolved: a checker is two materials
+    std::vector<Pattern> patterns;          ///< one a material; empty where no material has a pattern
+    std::vector<MaterialTexture> textures;  ///< likewise
+    std::vector<Bumps> bumps;               ///< likewise
+    std::vector<Finish> finishes;           ///< those that materials name; empty if no light shows them
     std::vector<PointLight> point_lights;
     std::vector<DirectionalLight> directional_lights;  ///< directions are unit vectors
     std::vector<std::shared_ptr<SharedMesh>> meshes;

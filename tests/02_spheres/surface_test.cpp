@@ -119,7 +119,7 @@ TEST_CASE("u and v are the angles of the normal", "[02.4]") {
         const Surface surface = seen(c.sphere, c.ray);
         const Vec3 n = surface.normal;
         const Vec2 uv = sphere_uv(n);
-        const Real longitude = 2 * pi * uv.x, latitude = pi * (uv.y - 0.5);
+        const Real longitude = uv.x * 2 * pi, latitude = (uv.y - 0.5) * pi;
         INFO("normal " << show(n) << ", uv (" << uv.x << ", " << uv.y << ')');
         // Angles up to 2 pi with a few roundings each.
         CHECK(std::abs(std::sin(latitude) - n.y) <= 32 * unit_roundoff);

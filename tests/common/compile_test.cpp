@@ -455,6 +455,13 @@ std::vector<Scene> reference_scenes() {
     return scenes;
 }
 
+/// Whether the texture of the object is measured in units of length.
+bool has_picture_in_units(const Scene& scene, const Object& object) {
+    const std::int32_t texturing = scene.materials[object.material].texturing;
+    return std::holds_alternative<Plane>(object.shape) && texturing >= 0 &&
+           scene.texturings[static_cast<std::size_t>(texturing)].picture;
+}
+
 /// The scene in another unit of length: every length times 2^k. Attenuation and absorption are per length.
 Scene in_other_units(Scene scene, int k) {
     const Real unit = std::ldexp(Real(1), k);
@@ -465,10 +472,19 @@ Scene in_other_units(Scene scene, int k) {
     for (Mesh& mesh : scene.meshes)
         for (Vec3& p : mesh.positions) p *= unit;
     for (Material& m : scene.materials) m.checker.size *= unit, m.absorption /= unit;
+    for (Texturing& t : scene.texturings) {
+        if (t.pattern) t.pattern->size *= unit;
+        t.bumps.height *= unit, t.bumps.size *= unit;
+    }
     for (TransformNode& node : scene.transforms)
         if (auto* move = std::get_if<Translate>(&node.step)) move->by *= unit;
     for (std::vector<Object>* objects : {&scene.objects, &scene.parts})
         for (Object& object : *objects) {
+            if (has_picture_in_units(scene, object)) {
+                scene.transforms.push_back({object.transform, Scale{Vec3(unit)}, object.place});
+                object.transform = static_cast<int>(scene.transforms.size()) - 1;
+                continue;
+            }
             const bool has_vertices = std::holds_alternative<TriangleObject>(object.shape) ||
                                       std::holds_alternative<PolygonObject>(object.shape);
             if (!has_vertices) povray::scale(scene, object, unit);

@@ -71,6 +71,10 @@ Example example_of(const SceneCommand& command) {
         {"trinormal", {"trinormal 0 1 2", three_normals}},
         {"polygon", {"polygon 0 1 2", three}},
         {"mesh", {"mesh a.obj", ""}},
+        {"texture", {"texture a.pfm", ""}},
+        {"textured", {"textured ambient", ""}},
+        {"finish", {"finish matte 1", ""}},
+        {"environment", {"environment a.pfm 1", ""}},
         {"popTransform", {"popTransform", "pushTransform\n"}},
         {"box", {"box 0 0 0 1 1 1", ""}},
         {"cylinder", {"cylinder 0 0 0 0 1 0 1", ""}},
@@ -117,11 +121,12 @@ TEST_CASE("an empty scene with a camera has the documented defaults") {
 }
 
 TEST_CASE("every command is read, and counts its arguments") {
-    const std::string mesh_directory = rt::test::scratch_directory() + "/every_command";
-    std::filesystem::create_directories(mesh_directory);
-    write_file(mesh_directory + "/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string directory = rt::test::scratch_directory() + "/every_command";
+    std::filesystem::create_directories(directory);
+    write_file(directory + "/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write_image(directory + "/a.pfm", make_image(1, 1));
     const auto message = [&](const std::string& text) {
-        return test::error_of([&] { parse_scene_text(text + "\n" + camera, "s", mesh_directory); });
+        return test::error_of([&] { parse_scene_text(text + "\n" + camera, "s", directory); });
     };
 
     for (const SceneCommand& command : scene_commands()) {
@@ -133,9 +138,14 @@ TEST_CASE("every command is read, and counts its arguments") {
             "s:" + std::to_string(std::count(before.begin(), before.end(), '\n') + 1) + ":";
         const std::string expected = "; expected: " + std::string(command.name) +
                                      (command.arguments.empty() ? "" : " " + std::string(command.arguments));
-        const bool any_more = command.arguments.find("...") != std::string_view::npos;
+        const bool any_more = command.arguments.find("...") != std::string_view::npos,
+                   one_more = command.arguments.find('[') != std::string_view::npos;
         if (!command.arguments.empty()) {
-            const std::string shorter = line.substr(0, line.rfind(' '));
+            std::string shorter = line.substr(0, line.rfind(' '));
+            if (one_more) {
+                CHECK(message(before + shorter + after) == "");
+                shorter = shorter.substr(0, shorter.rfind(' '));
+            }
             const std::string error = message(before + shorter);
             CHECK(error.find(next + std::to_string(shorter.size() + 1) + ": '") == 0);
             CHECK(error.find(expected) != std::string::npos);
@@ -193,6 +203,7 @@ TEST_CASE("the choices that the reference lists are the ones that are known") {
         if (command.arguments.find('|') == std::string_view::npos) continue;
         std::istringstream words{std::string(command.arguments)};
         for (std::string word; std::getline(words, word, '|');) {
+            word = word.substr(0, word.find(' '));  // without a last ` ...`
             INFO(command.name << ' ' << word);
             CHECK(error_of(std::string(command.name) + " " + word) == "");
         }
@@ -714,7 +725,8 @@ TEST_CASE("what is wrong with a mesh is said with the lines of both files") {
     CHECK(message("  mesh a.obj") == "s:2:8: mesh " + directory + "/a.obj:2:7: 'zero' is not a number");
     CHECK(message("mesh b.obj") ==
           "s:2:6: mesh " + directory + "/b.obj: there is no such file; did you mean 'a.obj'?");
-    CHECK(error_of("mesh a.obj", {.meshes = false}) == "s:1:1: mesh files are not read here");
+    CHECK(error_of("mesh a.obj", {.files = false}) ==
+          "s:1:1: 'mesh' reads a file, which is not allowed here");
 }
 
 TEST_CASE("a scene of a hundred thousand lines is read whole") {

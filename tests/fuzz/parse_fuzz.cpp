@@ -34,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
         rt::fuzz::must_read_or_refuse([&] {
             std::vector<std::string> warnings;
             check_scene(rt::parse_scene_text(text, "fuzz", {},
-                                             {.lenient = lenient, .meshes = false, .warnings = &warnings}));
+                                             {.lenient = lenient, .files = false, .warnings = &warnings}));
         });
     return 0;
 }

@@ -32,7 +32,7 @@ bool same_bits(const rt::Image& a, const rt::Image& b) {
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     rt::fuzz::must_read_or_refuse([&] {
-        rt::Scene scene = rt::parse_scene_text(text, "fuzz", {}, {.lenient = true, .meshes = false});
+        rt::Scene scene = rt::parse_scene_text(text, "fuzz", {}, {.lenient = true, .files = false});
         make_quick(scene);
         rt::fuzz::must_read_or_refuse([&] { require(!rt::export_povray(scene).empty()); });
         const rt::World world = rt::compile(scene);

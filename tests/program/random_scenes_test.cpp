@@ -18,7 +18,7 @@ TEST_CASE("random scenes can be rendered, and together they say every command", 
     const std::filesystem::path directory =
         std::filesystem::path(test::scratch_directory()) / "random_scenes";
     std::filesystem::create_directories(directory);
-    write_random_meshes(directory);
+    write_random_files(directory);
     std::set<std::string> said;
     for (std::uint64_t number = 0; number < 200; ++number) {
         const std::string text = random_scene(number);

@@ -383,6 +383,23 @@ TEST_CASE("lesson 10 says what its figures program has counted", "[texts]") {
     }
 }
 
+TEST_CASE("lesson 11 says what its figures program has counted", "[texts]") {
+    const std::string chapter = "11_textures", text = lesson(chapter);
+    const std::vector<std::string> rows = table_after(text, "| filter | samples a pixel |"),
+                                   lines = lines_of(chapter, "filter_errors.csv");
+    REQUIRE(rows.size() == lines.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        INFO(rows[i] << "\n" << lines[i]);
+        CHECK(numbers_in(rows[i]) == numbers_in(lines[i]));
+        CHECK_THAT(rows[i], Catch::Contains("`" + lines[i].substr(0, lines[i].find(',')) + "`"));
+    }
+    const std::vector<double> missed = numbers_in(lines_of(chapter, "cells_missed.csv").front());
+    REQUIRE(missed.size() == 3);
+    CHECK(missed[0] == 2e6);
+    CHECK(std::stod(found(text, "F1 was wrong at (\\S+) and F2")) == missed[1]);
+    CHECK(std::stod(found(text, "F1 was wrong at \\S+ and F2 at (\\d+)")) == missed[2]);
+}
+
 TEST_CASE("hints ask the world as its header declares it, or as the solution does", "[texts]") {
     const fs::path root = test::repository();
     const auto without_blanks = [](std::string text) {

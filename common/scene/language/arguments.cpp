@@ -113,8 +113,8 @@ Vec3 place3(const Parser& parser, std::size_t i) { return limited3(parser, i, "c
 
 Vec3 color(const Parser& parser, std::size_t i) { return limited3(parser, i, "colours"); }
 
-void fail_choice(const Parser& parser, std::span<const std::string_view> names) {
-    const std::string_view command = parser.words[0], word = parser.words[1];
+void fail_choice(const Parser& parser, std::size_t i, std::span<const std::string_view> names) {
+    const std::string_view command = parser.words[0], word = parser.words[i];
     std::string meaning = meaning_elsewhere(command, word);
     if (meaning.empty()) meaning = did_you_mean(word, names);
     throw UnknownValue(

@@ -64,18 +64,18 @@ std::string alternatives(const Row (&rows)[N]) {
     return text;
 }
 
-/// Throws UnknownValue with a suggestion: the first argument is none of the names.
-[[noreturn]] void fail_choice(const Parser& parser, std::span<const std::string_view> names);
+/// Throws UnknownValue with a suggestion: argument i is none of the names.
+[[noreturn]] void fail_choice(const Parser& parser, std::size_t i, std::span<const std::string_view> names);
 
-/// The value of the row that the first argument names.
+/// The value of the row that argument i names.
 template <class Row, std::size_t N>
-auto choice(const Parser& parser, const Row (&rows)[N]) {
+auto choice(const Parser& parser, const Row (&rows)[N], std::size_t i = 1) {
     std::vector<std::string_view> names;
     for (const Row& row : rows) {
-        if (row.name == parser.words[1]) return row.value;
+        if (row.name == parser.words[i]) return row.value;
         names.push_back(row.name);
     }
-    fail_choice(parser, names);
+    fail_choice(parser, i, names);
 }
 
 }  // namespace rt::language

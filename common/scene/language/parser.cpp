@@ -1,5 +1,10 @@
-// Places and messages.
+// Places, messages, and files that a scene names.
 #include "common/scene/language/parser.hpp"
+
+#include "common/image/file.hpp"
+
+#include <memory>
+#include <system_error>
 
 namespace rt::language {
 
@@ -24,6 +29,36 @@ void fail_at(const Parser& parser, SourcePlace place, const std::string& what) {
 std::string expected(const Parser& parser) {
     const SceneCommand& command = *parser.command;
     return "; expected: " + command.name + (command.arguments.empty() ? "" : " ") + command.arguments;
+}
+
+std::filesystem::path file_named(const Parser& parser, std::string_view word) {
+    if (!parser.options.files)
+        fail(parser, parser.words[0],
+             "'" + std::string(parser.words[0]) + "' reads a file, which is not allowed here");
+    return parser.directory / std::filesystem::path(word);
+}
+
+std::string whole_path(const std::filesystem::path& file) {
+    std::error_code error;
+    const std::filesystem::path canonical = std::filesystem::weakly_canonical(file, error);
+    return error ? file.string() : canonical.string();
+}
+
+std::uint32_t picture_named(Parser& parser, std::string_view word) {
+    const std::filesystem::path path = file_named(parser, word);
+    std::vector<PictureFile>& pictures = parser.scene.pictures;
+    const auto [found, is_new] =
+        parser.picture_of_file.try_emplace(whole_path(path), static_cast<std::uint32_t>(pictures.size()));
+    if (is_new) {
+        try {
+            Picture read = read_picture(path);
+            pictures.push_back(
+                {std::string(word), std::make_shared<const Image>(std::move(read.image)), read.eight_bits});
+        } catch (const InputError& problem) {
+            fail(parser, word, std::string("picture ") + problem.what());
+        }
+    }
+    return found->second;
 }
 
 SourcePlace place_of(const Parser& parser, std::string_view word) {

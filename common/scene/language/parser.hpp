@@ -26,11 +26,16 @@ struct OpenCombination {
 /// What the commands so far have made, and the line that is being read.
 struct Parser {
     const ParseOptions& options;
-    const std::filesystem::path& directory;  ///< where meshes are looked for
+    const std::filesystem::path& directory;  ///< where meshes and pictures are looked for
     Scene scene{};
 
     // What the objects and lights that follow take.
-    Material material{};
+    Material material{};  ///< but for the indices of the next two
+    Texturing texturing{};
+    Finish finish{};
+    Wrap wrap = Wrap::Repeat;  ///< of the textures that follow
+    TextureFilter texture_filter = TextureFilter::Bilinear;
+    SkyMap sky_map = SkyMap::LatitudeLongitude;  ///< of the environments that follow
     Vec3 attenuation{1, 0, 0};
     int transform = -1;  ///< index into Scene::transforms; −1 is the identity
     std::vector<int> transform_stack{};
@@ -40,7 +45,8 @@ struct Parser {
     bool has_command = false;
     bool integrator_rasterizes = false;  ///< the last `integrator` said the older word for both
     std::string adaptive_place{};        ///< of `adaptive on`, for a message
-    std::map<std::string, std::uint32_t> mesh_of_file{};
+    std::map<std::string, std::uint32_t> mesh_of_file{};  ///< by the whole path
+    std::map<std::string, std::uint32_t> picture_of_file{};
 
     const SceneCommand* command = nullptr;  ///< of the line
     int line_number = 0;
@@ -67,6 +73,15 @@ struct UnknownValue : InputError {
 
 /// The line as it should be, for the end of a message: `; expected: sphere x y z r`.
 std::string expected(const Parser& parser);
+
+/// The path of the file that a word of the line names; throws where no files are read.
+std::filesystem::path file_named(const Parser& parser, std::string_view word);
+
+/// The whole path of a file, so that each is read once, whatever it is called.
+std::string whole_path(const std::filesystem::path& file);
+
+/// The index into Scene::pictures of the picture that a word of the line names; read if it is new.
+std::uint32_t picture_named(Parser& parser, std::string_view word);
 
 /// Where a word of the line is.
 SourcePlace place_of(const Parser& parser, std::string_view word);

@@ -9,15 +9,24 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <system_error>
 #include <utility>
 
 namespace rt::language {
 
 namespace {
 
+/// The index of what is in force in its list, at whose end it may stand already; −1 if it is nothing special.
+template <class What>
+std::int32_t index_in(std::vector<What>& list, const What& in_force) {
+    if (in_force == What{}) return -1;
+    if (list.empty() || list.back() != in_force) list.push_back(in_force);
+    return static_cast<std::int32_t>(list.size()) - 1;
+}
+
 /// The index of the material in force.
 std::uint32_t material_in_force(Parser& parser) {
+    parser.material.texturing = index_in(parser.scene.texturings, parser.texturing);
+    parser.material.finish = index_in(parser.scene.finishes, parser.finish);
     std::vector<Material>& materials = parser.scene.materials;
     if (materials.empty() || !(materials.back() == parser.material)) materials.push_back(parser.material);
     return static_cast<std::uint32_t>(materials.size() - 1);
@@ -92,13 +101,10 @@ void read_new_mesh(Parser& parser, const std::filesystem::path& path, std::strin
 }
 
 void add_mesh(Parser& parser) {
-    if (!parser.options.meshes) fail(parser, parser.words[0], "mesh files are not read here");
     const std::string_view word = parser.words[1];
-    const std::filesystem::path path = parser.directory / std::filesystem::path(word);
-    std::error_code error;
-    const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, error);
+    const std::filesystem::path path = file_named(parser, word);
     const auto [found, is_new] = parser.mesh_of_file.try_emplace(
-        error ? path.string() : canonical.string(), static_cast<std::uint32_t>(parser.scene.meshes.size()));
+        whole_path(path), static_cast<std::uint32_t>(parser.scene.meshes.size()));
     if (is_new) read_new_mesh(parser, path, word);
     add_object(parser, MeshObject{found->second});
 }

@@ -14,7 +14,7 @@ constexpr Word<Visibility> visibilities[] = {{"rays", Visibility::Rays},
 
 void set_integrator(Parser& parser) {
     const std::optional<IntegratorChoice> chosen = integrator_named(parser.words[1]);
-    if (!chosen) fail_choice(parser, integrator_names());
+    if (!chosen) fail_choice(parser, 1, integrator_names());
     parser.scene.integrator = chosen->integrator;
     parser.integrator_rasterizes = chosen->visibility == Visibility::Rasterize;
 }

@@ -1,0 +1,46 @@
+// The colour of an image at a point between its pixels, and beyond its edges.
+#include "chapters/11_textures/image_texture.hpp"
+
+#include "common/math/todo.hpp"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+
+int wrapped(std::int64_t i, int size, Wrap wrap) {
+    // 11.2  Return the texel that stands at place i, as the three rows in image_texture.hpp show. i
+    // may be negative, and % then leaves a negative remainder.
+    return todo("11.2");
+}
+
+Vec3 texel(const Image& image, std::int64_t column, std::int64_t row, Wrap wrap) {
+    // 11.2  Return the pixel in this column and this row. `row` counts from the bottom, and the
+    // rows of an image count from the top.
+    return todo("11.2");
+}
+
+Vec2 near_image(const Vec2& uv, Wrap wrap) {
+    if (wrap == Wrap::Clamp) return clamp(uv, Vec2(-1), Vec2(2));
+    // Whether the image repeats or is mirrored, 2 is a period of it. fmod does not round.
+    return {std::fmod(uv.x, 2), std::fmod(uv.y, 2)};
+}
+
+Vec3 nearest(const Image& image, const Vec2& uv, Wrap wrap) {
+    [[maybe_unused]] const Vec2 near = near_image(uv, wrap);
+    // 11.2  Return the texel in which `near` lies. A conversion to a whole number rounds towards 0;
+    // std::floor rounds down.
+    return todo("11.2");
+}
+
+Vec3 bilinear(const Image& image, const Vec2& uv, Wrap wrap) {
+    [[maybe_unused]] const Vec2 near = near_image(uv, wrap);
+    // 11.2  Measure `near` in texels, from the centre of the texel in column 0 and row 0. Its whole
+    // part is the texel down to the left, and the rest says how far it is from there to the next. Mix each of
+    // the two rows, and then both.
+    return todo("11.2");
+}
+
+}  // namespace rt

@@ -1,0 +1,74 @@
+// Perlin's improved noise, and what is added up from it.
+#include "chapters/11_textures/noise.hpp"
+
+#include "common/math/todo.hpp"
+
+#include <cmath>
+
+namespace rt {
+namespace {
+
+/// The 12 directions, four of them twice so that four bits choose (Perlin 2002).
+constexpr std::array<std::array<int, 3>, 16> directions{{{1, 1, 0},
+                                                         {-1, 1, 0},
+                                                         {1, -1, 0},
+                                                         {-1, -1, 0},
+                                                         {1, 0, 1},
+                                                         {-1, 0, 1},
+                                                         {1, 0, -1},
+                                                         {-1, 0, -1},
+                                                         {0, 1, 1},
+                                                         {0, -1, 1},
+                                                         {0, 1, -1},
+                                                         {0, -1, -1},
+                                                         {1, 1, 0},
+                                                         {0, -1, 1},
+                                                         {-1, 1, 0},
+                                                         {0, -1, -1}}};
+
+int permuted(int i) { return noise_permutation[static_cast<std::size_t>(i & 255)]; }
+
+}  // namespace
+
+Vec3 lattice_gradient(int i, int j, int k) {
+    const int hash = permuted(permuted(permuted(i) + (j & 255)) + (k & 255));
+    const std::array<int, 3>& direction = directions[static_cast<std::size_t>(hash & 15)];
+    return {direction[0], direction[1], direction[2]};
+}
+
+Real fade(Real t) {
+    // 11.4  6t^5 - 15t^4 + 10t^3.
+    return todo("11.4");
+}
+
+LatticeCell lattice_cell(const Vec3& p) {
+    // 11.4  Which cell of the lattice of whole numbers is p in, and where in it? The corner's
+    // coordinates are from 0 to 255, for every p: also for a negative one, and for one that no int holds.
+    return todo("11.4");
+}
+
+Real noise(const Vec3& p) {
+    // 11.4  The weighted mean of what the eight corners of the cell say. A corner says
+    // dot(lattice_gradient, way from the corner to p). Its weight is the product of three numbers, one for
+    // each axis: fade(offset) for the corners on the upper side, 1 - fade(offset) for those on the lower.
+    return todo("11.4");
+}
+
+Vec3 noise_gradient(const Vec3& p) {
+    // 11.4  The derivative of noise by p: of each corner's weight times what it says, by the
+    // product rule. A corner's word changes by its lattice_gradient; a weight by the derivative of fade along
+    // one axis, 30t^4 - 60t^3 + 30t^2, times the weights of the other two.
+    return todo("11.4");
+}
+
+Real turbulence(const Vec3& p, int octaves) {
+    Real sum = 0, scale = 1;
+    for (int i = 0; i < octaves; ++i, scale *= 2) {
+        const Vec3 finer = scale * p;
+        if (!std::isfinite(size_of(finer))) break;
+        sum += std::abs(noise(finer)) / scale;
+    }
+    return sum;
+}
+
+}  // namespace rt

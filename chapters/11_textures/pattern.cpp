@@ -1,0 +1,66 @@
+// Patterns in space.
+#include "chapters/11_textures/pattern.hpp"
+
+#include "chapters/11_textures/cells.hpp"
+#include "chapters/11_textures/noise.hpp"
+
+#include "common/math/todo.hpp"
+
+#include <cmath>
+
+namespace rt {
+
+Real stripe_value(const Vec3& q) {
+    // 11.5  0 or 1: in which of the slices between whole numbers is x, one that is even or odd?
+    return todo("11.5");
+}
+
+Real ring_value(const Vec3& q) {
+    // 11.5  As stripes, but of the distance from the y axis.
+    return todo("11.5");
+}
+
+Real gradient_value(const Vec3& q) {
+    // 11.5  How far is y above the whole number below it?
+    return todo("11.5");
+}
+
+Real marble_value(const Vec3& q) {
+    // 11.5  (1 + sin(pi * s))/2 with s = x + 4 * turbulence(q/4, 6). A sine repeats when s grows by
+    // 2: take what is too much from x first, while that is exact.
+    return todo("11.5");
+}
+
+Real wood_value(const Vec3& q) {
+    // 11.5  Add twice the noise at q/8 to the distance from the y axis. How far is that above the
+    // whole number below it?
+    return todo("11.5");
+}
+
+Real pattern_value(PatternKind kind, const Vec3& q) {
+    switch (kind) {
+        case PatternKind::Stripes:
+            return stripe_value(q);
+        case PatternKind::Rings:
+            return ring_value(q);
+        case PatternKind::Gradient:
+            return gradient_value(q);
+        case PatternKind::Marble:
+            return marble_value(q);
+        case PatternKind::Wood:
+            return wood_value(q);
+        case PatternKind::Cellular: {
+            const CellDistances distances = cell_distances(q);
+            return std::min(Real(1), 2 * (distances.second - distances.first));
+        }
+    }
+    return 0;
+}
+
+Vec3 pattern_color(const SolidPattern& pattern, const Vec3& point) {
+    // 11.5  The pattern's value at the point, in units of its size; then the two colours, each
+    // times what it has of the mixture.
+    return todo("11.5");
+}
+
+}  // namespace rt

@@ -1,0 +1,176 @@
+// The tree of rays with ray differentials. What chapter 11 says of one ray is put together here.
+#include "common/render/filtered.hpp"
+
+#include "chapters/07_recursion/optics.hpp"
+#include "chapters/07_recursion/radiance.hpp"
+#include "chapters/11_textures/differential.hpp"
+#include "common/render/groups.hpp"
+#include "common/render/integrators.hpp"
+#include "common/render/lights.hpp"
+#include "common/render/textures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rt {
+namespace {
+
+/// What a surface is to a bundle of rays: where on a texture, and how curved.
+struct Patch {
+    TexturePoint texture;  ///< in world space
+    Real curvature = 0;    ///< as for normal_change, of the normal that points outwards
+};
+
+// The mean curvature of shapes, which other than spheres and flat things have only an estimate.
+
+template <class Shape>
+Real curvature_of(const Shape&) {
+    return 0;
+}
+Real curvature_of(const Sphere& sphere) { return 1 / sphere.radius; }
+Real curvature_of(const Cone& cone) { return 1 / (2 * std::max(cone.radius_a, cone.radius_b)); }
+Real curvature_of(const OpenCone& open) { return curvature_of(open.cone); }
+Real curvature_of(const Torus& torus) { return 1 / (2 * torus.tube); }
+template <class Shape>
+Real curvature_of(const Placed<Shape>& placed) {
+    const Mat4& m = placed.transform.to_world;
+    return 3 * curvature_of(placed.shape) / (length(Vec3(m[0])) + length(Vec3(m[1])) + length(Vec3(m[2])));
+}
+
+TexturePoint placed(const Transform& transform, TexturePoint local) {
+    local.du = transform_vector(transform.to_world, local.du);
+    local.dv = transform_vector(transform.to_world, local.dv);
+    return local;
+}
+
+template <class Shape>
+TexturePoint texture_point_of(const Group<Shape>& group, std::uint32_t index, const Surface& surface,
+                              const Hit& hit) {
+    const Shape& shape = group.shapes[index];
+    if constexpr (std::is_same_v<Shape, Triangle>) {
+        return group.uvs.empty() ? TexturePoint{} : texture_point(shape, group.uvs[index], hit.uv);
+    } else if constexpr (std::is_same_v<Shape, Instance>) {
+        const Group<Triangle>& mesh = shape.shape.mesh->triangles;
+        return placed(shape.transform, texture_point_of(mesh, hit.element, surface, hit));
+    } else if constexpr (!has_uv<Shape>) {
+        return {};
+    } else if constexpr (requires { shape.transform; }) {
+        const Vec3 local = transform_point(shape.transform.to_local, surface.point);
+        return placed(shape.transform, texture_point(shape.shape, local, hit.element));
+    } else {
+        return texture_point(shape, surface.point, hit.element);
+    }
+}
+
+Patch patch_at(const World& world, const Hit& hit, const Surface& surface) {
+    const Primitive& primitive = world.primitives[hit.primitive];
+    return std::visit(
+        [&](const auto& group) {
+            return Patch{texture_point_of(group, primitive.index, surface, hit),
+                         curvature_of(group.shapes[primitive.index])};
+        },
+        world.groups[primitive.group]);
+}
+
+/// How a ray of the camera changes from sample to sample: of n samples a pixel, each stands for an nth of it.
+RayDifferential camera_ray_differential(const World& world, const Ray& ray) {
+    const View& view = world.view;
+    // Where in the picture the ray looks through.
+    const Vec3 away = view.projection == Projection::Perspective ? ray.direction : ray.origin - view.eye;
+    const Real depth = view.projection == Projection::Perspective ? -dot(away, view.frame.w) : 1;
+    const Real pixel = 2 * view.half_height / view.height;
+    const Real x = view.width / 2.0 + dot(away, view.frame.u) / depth / pixel,
+               y = view.height / 2.0 - dot(away, view.frame.v) / depth / pixel;
+    RayDifferential change = camera_differential(view, x, y);
+    const Real share = 1 / std::sqrt(static_cast<Real>(world.sampling.count));
+    change.origin_dx *= share, change.origin_dy *= share;
+    change.direction_dx *= share, change.direction_dy *= share;
+    return change;
+}
+
+/// A ray of the tree and its differential.
+struct Bundle {
+    Branch branch;
+    RayDifferential change;
+};
+
+/// The differential of a ray that `scatter` has sent on.
+RayDifferential sent_on(const World& world, const Bundle& bundle, const Branch& next, const Surface& surface,
+                        const RayDifferential& at_surface, Real curvature) {
+    const Vec3& d = bundle.branch.ray.direction;
+    const bool turns = dot(surface.normal, d) > 0;
+    const Vec3 n = turned_to_viewer(surface.shading_normal, d);
+    const NormalChange change = normal_change(at_surface, n, turns ? -curvature : curvature);
+    if (next.kind == RayKind::Reflection) return reflected(at_surface, d, n, change);
+    const auto ior = [&](const Media& media) {
+        const Material* around = material_around(world, media);
+        return around ? around->ior : 1;
+    };
+    return refracted(at_surface, d, n, change, ior(bundle.branch.media) / ior(next.media));
+}
+
+/// As `material_at`, with the texture averaged over what is seen of it.
+Material textured_material(const World& world, const Hit& hit, const Surface& surface,
+                           const Footprint& seen) {
+    Material material = world.materials[material_index(world, hit, surface)];
+    apply_texture(world, hit, surface, &seen, material);
+    return material;
+}
+
+/// What is left of light after `distance` in the medium around the ray.
+Vec3 left_after(const World& world, const Media& media, Real distance) {
+    const Material* around = material_around(world, media);
+    return around ? transmitted(around->absorption, distance) : Vec3(1);
+}
+
+}  // namespace
+
+Vec3 filtered_radiance(const World& world, const Ray& ray, Stream&) {
+    Branch camera;
+    camera.ray = ray;
+    camera.media = world.eye_inside;
+    Vec3 sum(0);
+    std::vector<Bundle> stack{{camera, camera_ray_differential(world, ray)}};
+    while (!stack.empty()) {
+        Bundle bundle = std::move(stack.back());
+        stack.pop_back();
+        Branch& branch = bundle.branch;
+        const std::optional<Hit> hit = closest_hit(world, branch.ray, {0, infinity});
+        if (world.needs.absorption) branch.weight *= left_after(world, branch.media, hit ? hit->t : infinity);
+        if (!hit) {
+            sum += branch.weight * background(world, branch.ray.direction);
+            continue;
+        }
+        const Surface surface = surface_at(world, branch.ray, *hit);
+        const Patch patch = patch_at(world, *hit, surface);
+        const RayDifferential at_surface = transferred(bundle.change, branch.ray, hit->t, surface.normal);
+        const Footprint seen =
+            footprint(patch.texture.du, patch.texture.dv, at_surface.origin_dx, at_surface.origin_dy);
+        const Material material = textured_material(world, *hit, surface, seen);
+        const Vec3 n = turned_to_viewer(surface.shading_normal, branch.ray.direction);
+        sum += branch.weight * sum_of_lights(world, surface, material, n, -branch.ray.direction);
+        const Branches next = scatter(world, branch, *hit, surface, material);
+        for (int i = next.count - 1; i >= 0; --i) {
+            const Branch& one = next.branch[static_cast<std::size_t>(i)];
+            ++(one.kind == RayKind::Reflection ? ray_counts().reflection : ray_counts().refraction);
+            stack.push_back({one, sent_on(world, bundle, one, surface, at_surface, patch.curvature)});
+        }
+    }
+    return sum;
+}
+
+Vec3 filtered_own_light(const World& world, const Ray& ray, Stream&) {
+    const std::optional<Hit> hit = closest_hit(world, ray, {0, infinity});
+    if (!hit) return background(world, ray.direction);
+    const Surface surface = surface_at(world, ray, *hit);
+    const Patch patch = patch_at(world, *hit, surface);
+    const RayDifferential at_surface =
+        transferred(camera_ray_differential(world, ray), ray, hit->t, surface.normal);
+    const Material material = textured_material(
+        world, *hit, surface,
+        footprint(patch.texture.du, patch.texture.dv, at_surface.origin_dx, at_surface.origin_dy));
+    return material.ambient + material.emission;
+}
+
+}  // namespace rt

@@ -1,0 +1,55 @@
+// Light on surfaces that do not spread it evenly.
+#include "common/render/finish.hpp"
+
+#include "chapters/11_textures/lobes.hpp"
+#include "common/render/lights.hpp"
+
+#include <cmath>
+
+namespace rt {
+namespace {
+
+Lobe lobe_of(const Finish& finish, const Vec3& color) {
+    switch (finish.kind) {
+        case FinishKind::Velvet:
+            return Velvet{color, finish.value};
+        case FinishKind::Metal:
+            return RoughMetal{color, finish.value};
+        case FinishKind::Coated:
+            return Coated{color, finish.value};
+        case FinishKind::Matte:
+        case FinishKind::Plain:
+            break;
+    }
+    return Matte{color, finish.value};
+}
+
+/// Columns that are perpendicular unit vectors, the last of which is n. The lobes look the same when they are
+/// turned about it, so any will do (Duff and others 2017).
+Mat3 frame_around(const Vec3& n) {
+    const Real sign = std::copysign(Real(1), n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
+    return {Vec3(1 + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y), n};
+}
+
+}  // namespace
+
+Vec3 local_light_of_finish(const World& world, const Surface& surface, const Material& material,
+                           const Vec3& normal, const Vec3& to_viewer) {
+    const Lobe lobe = lobe_of(world.finishes[static_cast<std::size_t>(material.finish)],
+                              glm::min(material.diffuse, Vec3(1)));
+    Material rest = material;
+    rest.diffuse = Vec3(0);
+    const Mat3 frame = frame_around(normal);
+    const Vec3 viewer = to_viewer * frame;
+    Vec3 sum = emitted_light(material);
+    if (world.needs.skylight) sum += sky_diffuse(world.skylight, normal, material.diffuse);
+    visit_lights(world, surface, normal, [&](const LightSample& light, const Vec3& visible) {
+        if (visible == Vec3(0)) return;
+        const Vec3 l = light.direction * frame;
+        sum += reflected_light(rest, normal, to_viewer, light, visible) +
+               pi * l.z * evaluate(lobe, l, viewer) * light.color * visible;
+    });
+    return sum;
+}
+
+}  // namespace rt

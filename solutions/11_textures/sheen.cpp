@@ -1,0 +1,64 @@
+// Velvet: fibres that stand up, and shine at the horizon.
+#include "chapters/11_textures/sheen.hpp"
+
+#include "chapters/07_recursion/optics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+
+Real velvet_density(Real sigma, const Vec3& h) {
+    // [exercise 11.16] D. Near the z axis the exponential is 0 long before sin⁴θ is: that is asked first.
+    const Real flat = h.x * h.x + h.y * h.y, variance = sigma * sigma;
+    const Real exponent = h.z * h.z / (flat * variance);
+    // Written so that a NaN, of 0/0, takes this way out too. exp(−745) is the last that is not 0.
+    if (!(h.z >= 0) || !(exponent < 745)) return 0;
+    return std::exp(-exponent) / (pi * variance * flat * flat);
+    // [/exercise]
+}
+
+Real cavity_g1(const Vec3& w, const Vec3& h) {
+    // [exercise 11.16] The part of the facet that its partner leaves to w.
+    return std::min(2 * h.z * w.z / dot(w, h), Real(1));
+    // [/exercise]
+}
+
+Vec3 evaluate(const Velvet& velvet, const Vec3& to_light, const Vec3& to_viewer) {
+    // [exercise 11.16] color·D·G/(4·l.z·v.z), with the facet's normal halfway between l and v.
+    if (!(to_light.z > 0) || !(to_viewer.z > 0)) return Vec3(0);
+    const Vec3 h = normalize(to_light + to_viewer);
+    const Real hidden = std::min(cavity_g1(to_light, h), cavity_g1(to_viewer, h));
+    return velvet.color * (velvet_density(velvet_spread(velvet), h) * hidden / to_light.z / to_viewer.z / 4);
+    // [/exercise]
+}
+
+Real pdf(const Velvet& velvet, const Vec3& to_light, const Vec3& to_viewer) {
+    // [exercise 11.16] The density of directions that visible facets mirror to v.
+    if (!(to_light.z > 0) || !(to_viewer.z > 0)) return 0;
+    const Vec3 h = normalize(to_light + to_viewer);
+    return velvet_density(velvet_spread(velvet), h) * cavity_g1(to_viewer, h) / to_viewer.z / 4;
+    // [/exercise]
+}
+
+std::optional<LobeSample> sample(const Velvet& velvet, const Vec3& to_viewer, const Vec3& random) {
+    // [exercise 11.16] A facet with the density D·cosθ: cot²θ is −σ²·ln(1 − random.x). Then it or its
+    // partner, as random.z decides, and the light that it mirrors to v.
+    if (!(to_viewer.z > 0)) return std::nullopt;
+    const Real sigma = velvet_spread(velvet), phi = 2 * pi * random.y;
+    const Real cotangent = sigma * std::sqrt(-std::log1p(-random.x));
+    const Real sine = 1 / std::hypot(Real(1), cotangent);
+    Vec3 h(sine * std::cos(phi), sine * std::sin(phi), sine * cotangent);
+    const Vec3 partner(-h.x, -h.y, h.z);
+    const Real first = std::max(dot(to_viewer, h), Real(0));
+    const Real second = std::max(dot(to_viewer, partner), Real(0));
+    if (random.z * (first + second) >= first) h = partner;
+    const Vec3 to_light = reflect(-to_viewer, h);
+    const Real density = pdf(velvet, to_light, to_viewer);
+    if (!(density > 0)) return std::nullopt;
+    const Real left = std::min(cavity_g1(to_light, h) / cavity_g1(to_viewer, h), Real(1));
+    return LobeSample{to_light, velvet.color * left, density};
+    // [/exercise]
+}
+
+}  // namespace rt

@@ -1,0 +1,144 @@
+// Where a point of a shape lies on a texture, and how the surface runs there.
+#include "chapters/11_textures/texture_coordinates.hpp"
+
+#include "chapters/02_spheres/sphere.hpp"
+#include "chapters/03_triangles/triangle.hpp"
+
+#include <cmath>
+
+namespace rt {
+
+namespace {
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+}  // namespace
+
+PlaneAxes plane_axes(const Vec3& normal) {
+    const Vec3 n = unit(normal);
+    const Vec3 level(n.z + n.y * n.y, -n.x * n.y, -n.x);
+    // Where `level` nearly vanishes, rounding has also made it oblique: so u is made from v.
+    const Vec3 v = unit(cross(n, level == Vec3(0) ? Vec3(1, 0, 0) : level));
+    return {cross(v, n), v};
+}
+
+Real part_of_turn(Real y, Real x) {
+    const Real turn = std::atan2(y, x) / (2 * pi);
+    const Real wrapped = turn < 0 ? turn + 1 : turn;
+    // A tiny negative turn plus 1 is rounded to 1.
+    return wrapped < 1 ? wrapped : 0;
+}
+
+Vec2 affine_uv(const std::array<Vec2, 3>& uvs, const Vec3& weights) {
+    return weights.x * uvs[0] + weights.y * uvs[1] + weights.z * uvs[2];
+}
+
+Vec2 perspective_uv(const std::array<Vec2, 3>& uvs, const Vec3& depths, const Vec3& screen_weights) {
+    // [exercise 11.1] Interpolate u/depth, v/depth and 1/depth on the screen, and divide.
+    const Vec3 nearness = screen_weights / depths;
+    // The three quotients by the interpolated 1/depth are new weights, which add up to 1 again.
+    return affine_uv(uvs, nearness / (nearness.x + nearness.y + nearness.z));
+    // [/exercise]
+}
+
+TexturePoint texture_point(const Sphere& sphere, const Vec3& p, std::uint32_t) {
+    // Given: the direction from the centre to p, and where on the texture that is. Rounding may make n.y a
+    // little greater than 1, of which there is no arcsine.
+    const Vec3 f = p - sphere.center;
+    const Vec3 n = f == Vec3(0) ? Vec3(1, 0, 0) : clamp(unit(f), Vec3(-1), Vec3(1));
+    TexturePoint texture;
+    texture.uv = sphere_uv(n);
+
+    // [exercise 11.1] Set texture.du and texture.dv: how far the point moves, in units of length, for each
+    // unit of u, which is a whole turn, and of v, which is half a turn. At the poles n.x and n.z are 0, and
+    // dv runs along the meridian of texture.uv. The point is centre + radius·(cos φ cos θ, sin φ, cos φ sin
+    // θ), with θ = 2πu and φ = π(v − ½).
+    const Real theta = 2 * pi * texture.uv.x, cos_phi = std::hypot(n.x, n.z);
+    texture.du = 2 * pi * sphere.radius * Vec3(-n.z, 0, n.x);
+    // The longitude has a direction also where cos φ is 0, and the quotients n.x/cos φ and n.z/cos φ have
+    // none.
+    texture.dv = pi * sphere.radius * Vec3(-n.y * std::cos(theta), cos_phi, -n.y * std::sin(theta));
+    // [/exercise]
+    return texture;
+}
+
+TexturePoint texture_point(const Plane& plane, const Vec3& p, std::uint32_t) {
+    const auto [u, v] = plane_axes(plane.normal);
+    const Vec3 f = p - plane.point;
+    return {{dot(f, u), dot(f, v)}, u, v};
+}
+
+TexturePoint texture_point(const Disc& disc, const Vec3& p, std::uint32_t) {
+    if (!(disc.radius > 0)) return {Vec2(0.5), Vec3(0), Vec3(0)};
+    const auto [u, v] = plane_axes(disc.normal);
+    const Vec3 f = p - disc.center;
+    const Real side = 2 * disc.radius;
+    return {0.5 + Vec2(dot(f, u), dot(f, v)) / side, side * u, side * v};
+}
+
+TexturePoint texture_point(const Box& box, const Vec3& p, std::uint32_t element) {
+    Vec3 normal(0);
+    normal[static_cast<int>(element / 2)] = element % 2 == 1 ? 1 : -1;
+    const auto [u, v] = plane_axes(normal);
+    // u and v are each along an axis of the box. From the middle, so that a face is ±½ in either.
+    const Vec3 size = box.high - box.low;
+    const Vec3 f = clamp((p - box.low) / size, Vec3(0), Vec3(1)) - 0.5;
+    return {{0.5 + dot(f, u), 0.5 + dot(f, v)}, size * u, size * v};
+}
+
+TexturePoint texture_point(const OpenCone& open, const Vec3& p, std::uint32_t) {
+    const Cone& cone = open.cone;
+    // Given: the axis, the way to p, and two directions across the axis between which u counts.
+    const Vec3 axis = cone.b - cone.a;
+    [[maybe_unused]] const Vec3 f = p - cone.a;
+    const PlaneAxes across = plane_axes(axis);
+    [[maybe_unused]] const Vec3 from = across.u, towards = -across.v;
+
+    // [exercise 11.1] Return uv, du and dv of the side. p is at f, as seen from the end a. u begins at
+    // `from`, a quarter of it is at `towards` (both unit vectors, across the axis), and du and dv are how the
+    // point moves on the side: it is radius_a wide at v = 0, and radius_b at v = 1. Keep v in [0, 1].
+    const Real u = part_of_turn(dot(f, towards), dot(f, from));
+    const Real v = std::clamp(dot(f, axis) / dot(axis, axis), Real(0), Real(1));
+    const Real widening = cone.radius_b - cone.radius_a;
+    const Real cosine = std::cos(2 * pi * u), sine = std::sin(2 * pi * u);
+    const Vec3 radial = cosine * from + sine * towards, ahead = cosine * towards - sine * from;
+    // The point is a + v·axis + (radius_a + v·widening)·radial; by u only the last of these changes.
+    return {{u, v}, 2 * pi * (cone.radius_a + v * widening) * ahead, axis + widening * radial};
+    // [/exercise]
+}
+
+TexturePoint texture_point(const Cone& cone, const Vec3& p, std::uint32_t element) {
+    if (element == 1) return texture_point(Disc{cone.a, cone.a - cone.b, cone.radius_a}, p, 0);
+    if (element == 2) return texture_point(Disc{cone.b, cone.b - cone.a, cone.radius_b}, p, 0);
+    return texture_point(OpenCone{cone}, p, 0);
+}
+
+TexturePoint texture_point(const Torus& torus, const Vec3& p, std::uint32_t) {
+    const Vec3 n = unit(torus.axis), f = p - torus.center;
+    const auto [x_axis, minus_z_axis] = plane_axes(n);
+    const Real x = dot(f, x_axis), z = -dot(f, minus_z_axis), height = dot(f, n);
+    // Half a turn more, and backwards: both wrapped by asking for the opposite direction.
+    const Real u = part_of_turn(z, -x), v = part_of_turn(-height, torus.ring - std::hypot(x, z));
+    const Real theta = pi - 2 * pi * u, psi = 2 * pi * v - pi;
+    const Vec3 radial = std::cos(theta) * x_axis - std::sin(theta) * minus_z_axis;
+    const Vec3 ahead = -std::sin(theta) * x_axis - std::cos(theta) * minus_z_axis;
+    // How far the point is from the axis; where R < r the surface ends there.
+    const Real distance = std::max(torus.ring + torus.tube * std::cos(psi), Real(0));
+    return {{u, v},
+            -2 * pi * distance * ahead,
+            2 * pi * torus.tube * (std::cos(psi) * n - std::sin(psi) * radial)};
+}
+
+TexturePoint texture_point(const Triangle& triangle, const TriangleUvs& uvs, const Vec2& weights) {
+    TexturePoint texture;
+    texture.uv = interpolate(uvs, weights);
+    const Vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
+    const Vec2 d1 = uvs.b - uvs.a, d2 = uvs.c - uvs.a;
+    const Real area = edge_function(d1, d2);
+    if (area == 0) return texture;
+    const Vec3 du = (d2.y * e1 - d1.y * e2) / area, dv = (d1.x * e2 - d2.x * e1) / area;
+    if (is_finite(du) && is_finite(dv)) texture.du = du, texture.dv = dv;
+    return texture;
+}
+
+}  // namespace rt
