@@ -132,6 +132,7 @@ void derive_needs(const Scene& scene, World& world) {
         needs.colored_shadows =
             needs.shadows && any([](const Material& m) { return !is_zero(m.transmission); });
     }
+    needs.other_light = needs.finishes || needs.skylight;
     if (integrator.tree && scene.max_depth > 0) {
         needs.refraction = any([](const Material& m) { return !is_zero(m.transmission); });
         needs.reflection = any([](const Material& m) {

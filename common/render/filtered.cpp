@@ -6,7 +6,6 @@
 #include "chapters/11_textures/differential.hpp"
 #include "common/render/groups.hpp"
 #include "common/render/integrators.hpp"
-#include "common/render/lights.hpp"
 #include "common/render/textures.hpp"
 
 #include <algorithm>
@@ -149,7 +148,7 @@ Vec3 filtered_radiance(const World& world, const Ray& ray, Stream&) {
             footprint(patch.texture.du, patch.texture.dv, at_surface.origin_dx, at_surface.origin_dy);
         const Material material = textured_material(world, *hit, surface, seen);
         const Vec3 n = turned_to_viewer(surface.shading_normal, branch.ray.direction);
-        sum += branch.weight * sum_of_lights(world, surface, material, n, -branch.ray.direction);
+        sum += branch.weight * local_light(world, surface, material, n, -branch.ray.direction);
         const Branches next = scatter(world, branch, *hit, surface, material);
         for (int i = next.count - 1; i >= 0; --i) {
             const Branch& one = next.branch[static_cast<std::size_t>(i)];

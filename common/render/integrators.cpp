@@ -50,15 +50,23 @@ RayColor for_shapes(const World& world, Make make) {
         world.groups.front());
 }
 
-/// What `Show` says of the nearest hit, or the background.
+/// What `Show` says of the nearest hit, or the background of a world without a sky.
 template <class Show, class Among>
 Vec3 color_of_nearest(const World& world, const Ray& ray, Stream&) {
     const std::optional<Hit> hit = Among::closest(world, ray);
-    return hit ? Show::template of<Among>(world, ray, *hit) : background(world, ray.direction);
+    return hit ? Show::template of<Among>(world, ray, *hit) : world.background;
+}
+
+/// The same, or the sky.
+template <class Show>
+Vec3 color_under_sky(const World& world, const Ray& ray, Stream&) {
+    const std::optional<Hit> hit = AllShapes::closest(world, ray);
+    return hit ? Show::template of<AllShapes>(world, ray, *hit) : sky_color(world, ray.direction);
 }
 
 template <class Show>
 RayColor nearest(const World& world) {
+    if (world.needs.sky) return color_under_sky<Show>;
     return for_shapes(world, []<class Among>() -> RayColor { return color_of_nearest<Show, Among>; });
 }
 
@@ -145,13 +153,24 @@ private:
     }
 };
 
+/// The same with light from the sky, or on surfaces that have a finish.
+struct AllLight {
+    template <class Among>
+    static Vec3 of(const World& world, const Ray& ray, const Hit& hit) {
+        const Surface surface = Among::surface(world, ray, hit);
+        const Vec3 normal = turned_to_viewer(surface.shading_normal, ray.direction);
+        return local_light(world, surface, material_at(world, hit, surface), normal, -ray.direction);
+    }
+};
+
 Vec3 radiance_color(const World& world, const Ray& ray, Stream&) { return radiance(world, ray); }
 
 RayColor raytrace(const World& world) {
     const Needs& needs = world.needs;
     if (needs.footprints) return filtered_radiance;
     if (needs.reflection || needs.refraction) return radiance_color;
-    if (needs.lights || needs.skylight)
+    if (needs.other_light) return nearest<AllLight>(world);
+    if (needs.lights)
         return varies(needs) ? nearest<SumOfLights<true>>(world) : nearest<SumOfLights<false>>(world);
     return varies(needs) ? cast_ray_color : nearest<PlainLight>(world);
 }

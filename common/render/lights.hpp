@@ -2,8 +2,6 @@
 #pragma once
 
 #include "chapters/06_shadows/shadow.hpp"
-#include "chapters/11_textures/harmonics.hpp"
-#include "common/render/finish.hpp"
 
 namespace rt {
 
@@ -30,14 +28,11 @@ template <class Visit>
     for (const DirectionalLight& light : world.directional_lights) ask(sample_light(light, surface.point));
 }
 
-/// The same as `local_light`.
+/// The same as `local_light`, in a world whose needs say no `other_light`.
 [[gnu::always_inline]] inline Vec3 sum_of_lights(const World& world, const Surface& surface,
                                                  const Material& material, const Vec3& normal,
                                                  const Vec3& to_viewer) {
-    if (world.needs.finishes && material.finish >= 0)
-        return local_light_of_finish(world, surface, material, normal, to_viewer);
     Vec3 sum = emitted_light(material);
-    if (world.needs.skylight) sum += sky_diffuse(world.skylight, normal, material.diffuse);
     visit_lights(
         world, surface,
         normal, [&](const LightSample& light, const Vec3& visible) __attribute__((always_inline)) {

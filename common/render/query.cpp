@@ -5,6 +5,7 @@
 #include "chapters/11_textures/sky.hpp"
 #include "common/render/groups.hpp"
 #include "common/render/lights.hpp"
+#include "common/render/other_light.hpp"
 #include "common/render/textures.hpp"
 
 #include <algorithm>
@@ -148,6 +149,7 @@ const Material* material_around(const World& world, std::span<const Medium> insi
 
 Vec3 local_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
                  const Vec3& to_viewer) {
+    if (world.needs.other_light) return other_light(world, surface, material, normal, to_viewer);
     return sum_of_lights(world, surface, material, normal, to_viewer);
 }
 

@@ -129,6 +129,7 @@ struct Needs {
     bool bumps = false;            ///< some material has bumps
     bool sky = false;              ///< the background depends on the direction
     bool finishes = false;         ///< some material spreads diffuse light in another way than evenly
+    bool other_light = false;      ///< finishes or skylight: light is not just the plain sum over the lamps
     bool skylight = false;         ///< the sky lights what is diffuse
     bool lights = false;           ///< some light can contribute
     bool highlights = false;       ///< some material has a specular highlight, and there are lights

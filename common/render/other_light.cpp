@@ -1,6 +1,7 @@
-// Light on surfaces that do not spread it evenly.
-#include "common/render/finish.hpp"
+// Light from the sky, and light on surfaces that do not spread it evenly.
+#include "common/render/other_light.hpp"
 
+#include "chapters/11_textures/harmonics.hpp"
 #include "chapters/11_textures/lobes.hpp"
 #include "common/render/lights.hpp"
 
@@ -33,21 +34,26 @@ Mat3 frame_around(const Vec3& n) {
 
 }  // namespace
 
-Vec3 local_light_of_finish(const World& world, const Surface& surface, const Material& material,
-                           const Vec3& normal, const Vec3& to_viewer) {
-    const Lobe lobe = lobe_of(world.finishes[static_cast<std::size_t>(material.finish)],
-                              glm::min(material.diffuse, Vec3(1)));
-    Material rest = material;
-    rest.diffuse = Vec3(0);
+Vec3 other_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
+                 const Vec3& to_viewer) {
+    const bool has_finish = world.needs.finishes && material.finish >= 0;
+    Lobe lobe;
+    Material plain = material;
+    if (has_finish) {
+        lobe = lobe_of(world.finishes[static_cast<std::size_t>(material.finish)],
+                       glm::min(material.diffuse, Vec3(1)));
+        plain.diffuse = Vec3(0);
+    }
     const Mat3 frame = frame_around(normal);
     const Vec3 viewer = to_viewer * frame;
     Vec3 sum = emitted_light(material);
     if (world.needs.skylight) sum += sky_diffuse(world.skylight, normal, material.diffuse);
     visit_lights(world, surface, normal, [&](const LightSample& light, const Vec3& visible) {
         if (visible == Vec3(0)) return;
+        sum += reflected_light(plain, normal, to_viewer, light, visible);
+        if (!has_finish) return;
         const Vec3 l = light.direction * frame;
-        sum += reflected_light(rest, normal, to_viewer, light, visible) +
-               pi * l.z * evaluate(lobe, l, viewer) * light.color * visible;
+        sum += pi * l.z * evaluate(lobe, l, viewer) * light.color * visible;
     });
     return sum;
 }
