@@ -34,7 +34,7 @@ ReportData measured(const Project& project, const WantedReports& wanted, bool qu
     const fs::path file = directory / "measured.json";
     std::vector<std::string> arguments{program(project, "report_data").string(), "-o", file.string()};
     if (quick) arguments.push_back("--quick");
-    if (wanted.error_time) arguments.insert(arguments.end(), {"kernels", "pictures", "grids"});
+    if (wanted.error_time) arguments.insert(arguments.end(), {"kernels", "pictures", "filters", "grids"});
     if (wanted.stability) arguments.push_back("stability");
     ProcessOptions options;
     options.merge_errors = false;  // it shows its progress

@@ -47,8 +47,8 @@ PageView kernels_view(const ReportData& kernels, const PageView& plots) {
     return {{"shapes", shapes}};
 }
 
-/// What a scene's plot says below it.
-PageView scene_view(const ReportData& scene, const PageView& plots) {
+/// What a scene's plot says below it; `kind` is what the plot's name begins with.
+PageView scene_view(const ReportData& scene, const std::string& kind, const PageView& plots) {
     PageView flat = PageView::array();
     for (const auto& curve : scene.at("curves"))
         if (const std::string by = curve.at("stopped"); !by.empty() && !by.starts_with("nothing"))
@@ -62,7 +62,7 @@ PageView scene_view(const ReportData& scene, const PageView& plots) {
             {"truth_error", number_text(scene.at("truth_error"))},
             {"better", fmt::format("{:.0f}", best / truth)},
             {"flat", flat},
-            {"plot", plots.value("pictures_" + std::string(scene.at("name")), PageView())}};
+            {"plot", plots.value(kind + "_" + std::string(scene.at("name")), PageView())}};
 }
 
 PageView exponents_view(const ReportData& pictures) {
@@ -114,8 +114,23 @@ PageView honesty_view(const ReportData& pictures) {
 
 PageView pictures_view(const ReportData& pictures, const PageView& plots) {
     PageView scenes = PageView::array();
-    for (const auto& scene : pictures) scenes.push_back(scene_view(scene, plots));
+    for (const auto& scene : pictures) scenes.push_back(scene_view(scene, "pictures", plots));
     return {{"scenes", scenes}, {"exponents", exponents_view(pictures)}, {"honesty", honesty_view(pictures)}};
+}
+
+/// All points of a scene's curves, one below the other.
+PageView filters_view(const ReportData& filters, const PageView& plots) {
+    PageView scenes = PageView::array(), points = PageView::array();
+    for (const auto& scene : filters) {
+        scenes.push_back(scene_view(scene, "filters", plots));
+        for (const auto& curve : scene.at("curves"))
+            for (const auto& point : curve.at("points"))
+                points.push_back({{"method", curve.at("method")},
+                                  {"samples", number_text(point.at("asked"))},
+                                  {"error", number_text(point.at("error"))},
+                                  {"ms", number_text(point.at("seconds").get<double>() * 1e3)}});
+    }
+    return {{"scenes", scenes}, {"points", points}};
 }
 
 PageView grids_view(const ReportData& grids) {
@@ -185,6 +200,7 @@ std::string report_page(const ReportData& data, const std::vector<ReportPlot>& p
                      {"plots", plots_view(plots)}};
     if (data.contains("kernels")) view["kernels"] = kernels_view(data.at("kernels"), view.at("plots"));
     if (data.contains("pictures")) view["pictures"] = pictures_view(data.at("pictures"), view.at("plots"));
+    if (data.contains("filters")) view["filters"] = filters_view(data.at("filters"), view.at("plots"));
     if (data.contains("grids")) view["grids"] = grids_view(data.at("grids"));
     if (data.contains("stability")) view["stability"] = stability_view(data.at("stability"));
     if (data.contains("leave_out")) view["leave_out"] = leave_out_view(data.at("leave_out"));

@@ -154,7 +154,8 @@ struct Range {
     void add(double x) { least = std::min(least, x), greatest = std::max(greatest, x); }
 };
 
-ReportPlot picture_plot(const ReportData& scene) {
+/// `of` says what the curves are ways of; their points are in the table `kind`.csv.
+ReportPlot picture_plot(const ReportData& scene, const std::string& kind, const std::string& of) {
     std::vector<ReportData> curves = scene.at("curves");
     std::stable_partition(curves.begin(), curves.end(), is_lone);
     std::vector<std::string> methods, titles;
@@ -171,6 +172,7 @@ ReportPlot picture_plot(const ReportData& scene) {
     const bool shows_truth = truth > errors.least / 1e4;  // else it lies far below the plot
 
     Variables variables;
+    variables.literal("table", in_quotes(kind + ".csv"));
     variables.literal("scene", in_quotes(std::string(scene.at("name"))));
     variables.number("curves", static_cast<double>(curves.size()));
     variables.number("lone", static_cast<double>(std::ranges::count_if(curves, is_lone)));
@@ -181,8 +183,8 @@ ReportPlot picture_plot(const ReportData& scene) {
     variables.number("greatest", errors.greatest);
     variables.number("fastest", seconds.least);
     variables.number("slowest", seconds.greatest);
-    return plot("pictures_" + std::string(scene.at("name")), 700, 560, variables, "pictures", "pictures.csv",
-                fmt::format("Error against CPU time for several ways of sampling, scene: {}.",
+    return plot(kind + "_" + std::string(scene.at("name")), 700, 560, variables, "pictures", kind + ".csv",
+                fmt::format("Error against CPU time for several ways of {}, scene: {}.", of,
                             std::string(scene.at("title"))));
 }
 
@@ -256,9 +258,13 @@ std::vector<ReportPlot> report_plots(const ReportData& data) {
         plots.push_back(map_plot(data.at("kernels")));
     }
     if (data.contains("pictures")) {
-        for (const auto& scene : data.at("pictures")) plots.push_back(picture_plot(scene));
+        for (const auto& scene : data.at("pictures"))
+            plots.push_back(picture_plot(scene, "pictures", "sampling"));
         plots.push_back(honesty_plot(data.at("pictures")));
     }
+    if (data.contains("filters"))
+        for (const auto& scene : data.at("filters"))
+            plots.push_back(picture_plot(scene, "filters", "looking up a texture"));
     if (data.contains("grids")) {
         plots.push_back(ray_plot(data.at("grids")));
         plots.push_back(build_plot(data.at("grids")));

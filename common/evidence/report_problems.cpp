@@ -20,6 +20,30 @@ void add_kernels(Problems& problems, const ReportData& kernels) {
                 row.at("error_max").get<double>()));
 }
 
+/// The error of a curve's first point, or its last.
+double first_error(const ReportData& curve) { return curve.at("points").front().at("error"); }
+double last_error(const ReportData& curve) { return curve.at("points").back().at("error"); }
+
+/// Of one sample each, what is filtered more is less wrong than four texels; more samples help everybody.
+void add_filters(Problems& problems, const ReportData& scenes) {
+    for (const auto& scene : scenes) {
+        double bilinear = 0;
+        for (const auto& curve : scene.at("curves"))
+            if (curve.at("method") == "bilinear") bilinear = first_error(curve);
+        for (const auto& curve : scene.at("curves")) {
+            const std::string method = curve.at("method");
+            if ((method == "trilinear" || method == "anisotropic") && !(first_error(curve) < bilinear))
+                problems.push_back(fmt::format(
+                    "textures by {}: one sample a pixel is wrong by {:.3g}, and a bilinear one by {:.3g}",
+                    method, first_error(curve), bilinear));
+            if (!(last_error(curve) < first_error(curve)))
+                problems.push_back(fmt::format(
+                    "textures by {}: {} samples a pixel are wrong by {:.3g}, and one by {:.3g}", method,
+                    number(curve.at("points").back().at("asked")), last_error(curve), first_error(curve)));
+        }
+    }
+}
+
 void add_grids(Problems& problems, const ReportData& grids) {
     for (const auto& point : grids.at("points"))
         if (point.at("different") > 0)
@@ -55,6 +79,7 @@ void add_leave_out(Problems& problems, const ReportData& rows) {
 std::vector<std::string> report_problems(const ReportData& data) {
     Problems problems;
     if (data.contains("kernels")) add_kernels(problems, data.at("kernels"));
+    if (data.contains("filters")) add_filters(problems, data.at("filters"));
     if (data.contains("grids")) add_grids(problems, data.at("grids"));
     if (data.contains("stability")) add_stability(problems, data.at("stability"));
     if (data.contains("leave_out")) add_leave_out(problems, data.at("leave_out"));

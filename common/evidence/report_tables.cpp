@@ -62,7 +62,7 @@ ReportFile map_table(const ReportData& kernels) {
     return {"kernels_map.csv", table.text};
 }
 
-ReportFile picture_table(const ReportData& pictures) {
+ReportFile picture_table(const ReportData& pictures, const std::string& name) {
     Table table({"scene", "method", "samples_asked", "samples_a_pixel", "cpu_seconds", "rmse",
                  "estimated_rmse", "least_ratio", "greatest_ratio"});
     for (const auto& scene : pictures)
@@ -71,7 +71,7 @@ ReportFile picture_table(const ReportData& pictures) {
                 table.row({scene.at("name"), curve.at("method"), point.at("asked"), point.at("samples"),
                            point.at("seconds"), point.at("error"), point.at("estimate"),
                            point.at("ratio_low"), point.at("ratio_high")});
-    return {"pictures.csv", table.text};
+    return {name, table.text};
 }
 
 ReportFile slope_table(const ReportData& pictures) {
@@ -141,9 +141,10 @@ std::vector<ReportFile> report_tables(const ReportData& data) {
         tables.push_back(map_table(data.at("kernels")));
     }
     if (data.contains("pictures")) {
-        tables.push_back(picture_table(data.at("pictures")));
+        tables.push_back(picture_table(data.at("pictures"), "pictures.csv"));
         tables.push_back(slope_table(data.at("pictures")));
     }
+    if (data.contains("filters")) tables.push_back(picture_table(data.at("filters"), "filters.csv"));
     if (data.contains("grids")) tables.push_back(grid_table(data.at("grids")));
     if (data.contains("stability")) tables.push_back(stability_table(data.at("stability")));
     if (data.contains("leave_out")) tables.push_back(leave_out_table(data.at("leave_out")));

@@ -44,6 +44,33 @@ ReportData feature(int general, bool judged) {
         {"bytes", {{"general", 100}, {"with_feature", 200}}}};
 }
 
+ReportData filter(const char* name, double one, double many) {
+    const auto point = [](int samples, double error) -> ReportData {
+        return {{"asked", samples}, {"samples", samples}, {"seconds", 0.001 * samples},
+                {"error", error},   {"estimate", 0},      {"ratio_low", 0},
+                {"ratio_high", 0}};
+    };
+    const ReportData law{
+        {"slope", -0.5}, {"low", nullptr}, {"high", nullptr}, {"intercept", 0}, {"points", 2}};
+    return {{"method", name}, {"by_samples", law}, {"by_seconds", law},
+            {"theory", 0},    {"stopped", ""},     {"points", {point(1, one), point(16, many)}}};
+}
+
+/// Pictures of a floor by four texels, and by footprints that are so wrong with one sample and with many.
+ReportData floor_by_filters(double one, double many) {
+    return ReportData::array(
+        {{{"name", "horizon"},
+          {"title", "Bricks to the horizon"},
+          {"chapter", "11"},
+          {"width", 40},
+          {"height", 30},
+          {"analytic", false},
+          {"truth_error", 0.0001},
+          {"truth_samples", 4096},
+          {"best", many},
+          {"curves", {filter("bilinear", 0.04, 0.01), filter("anisotropic", one, many)}}}});
+}
+
 ReportData some_data(int wrong, int instructions, bool judged = true) {
     ReportData data{
         {"quick", true},
@@ -85,6 +112,32 @@ TEST_CASE("a wrong case and a scene that pays too much are problems, and what is
     REQUIRE(problems.size() == 2);
     CHECK(problems[0].find("2 of 10000 cases are wrong; the first: Sphere{0x1.8p+0}") != std::string::npos);
     CHECK(problems[1] == "a scene without shadow rays takes 1011 instructions; 1010 are allowed");
+}
+
+TEST_CASE("a filter that is no better than four texels, and samples that do not help, are problems") {
+    CHECK(report_problems({{"filters", floor_by_filters(0.015, 0.01)}}).empty());
+    const std::vector<std::string> no_better = report_problems({{"filters", floor_by_filters(0.04, 0.01)}});
+    REQUIRE(no_better.size() == 1);
+    CHECK(no_better[0] ==
+          "textures by anisotropic: one sample a pixel is wrong by 0.04, and a bilinear one by 0.04");
+    const std::vector<std::string> no_help = report_problems({{"filters", floor_by_filters(0.015, 0.015)}});
+    REQUIRE(no_help.size() == 1);
+    CHECK(no_help[0] == "textures by anisotropic: 16 samples a pixel are wrong by 0.015, and one by 0.015");
+}
+
+TEST_CASE("texture filters have a plot, a table and a part of the page") {
+    ReportData data = some_data(0, 1000);
+    data["filters"] = floor_by_filters(0.015, 0.01);
+    CHECK(report_tables(data)[0].name == "filters.csv");
+    CHECK(report_tables(data)[0].content.ends_with("horizon,anisotropic,16,16,0.016,0.01,0,0,0\n"));
+    const std::vector<ReportPlot> plots = report_plots(data);
+    CHECK(plots[0].name == "filters_horizon");
+    CHECK(plots[0].script.find("'filters.csv'") != std::string::npos);
+    const std::string page = report_page(data, plots, "./course report error-time");
+    for (const char* text : {"id=\"filters\"", "src=\"filters_horizon.svg\"", "<a href=\"filters.csv\">"}) {
+        INFO(text);
+        CHECK(page.find(text) != std::string::npos);
+    }
 }
 
 TEST_CASE("the page shows the parts that were measured, names its command and links its data") {

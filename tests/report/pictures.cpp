@@ -4,8 +4,8 @@
 #include "chapters/01_ray_casting/camera.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/integrators.hpp"
-#include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
+#include "tests/report/picture_errors.hpp"
 #include "tests/stability/coverage.hpp"
 
 #include <algorithm>
@@ -16,14 +16,6 @@
 
 namespace rt::report {
 namespace {
-
-/// What a picture should be, and how sure that is.
-struct Truth {
-    Image image;
-    bool analytic = true;
-    double error = 0;
-    double samples = 0;
-};
 
 // --------------------------------------------------------------------------------------------- scenes
 
@@ -119,60 +111,6 @@ constexpr Way ways[] = {
     {"adaptive", Sampler::Jittered, true, 0, 0},
 };
 
-RenderResult render_with(Scene& scene, const Sampling& sampling, const RenderOptions& options) {
-    scene.sampling = sampling;
-    return render(compile(scene), options);
-}
-
-/// Without the further samples that estimate the error.
-RenderOptions drawn_only(int threads) {
-    RenderOptions options;
-    options.threads = threads;
-    options.estimate = false;
-    return options;
-}
-
-double rmse(const Image& image, const Image& truth) {
-    double sum = 0;
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        const Vec3 off = image.pixels[i] - truth.pixels[i];
-        sum += dot(off, off);
-    }
-    return std::sqrt(sum / (3 * static_cast<double>(image.pixels.size())));
-}
-
-// Seeds of the truth are far from those of the pictures.
-constexpr std::uint64_t truth_seed = 1'000'000;
-
-Truth converged(Scene& scene, const PictureOptions& options, const Told& told) {
-    std::vector<Image> images;
-    for (int i = 0; i < options.truth_renders; ++i) {
-        images.push_back(render_with(scene,
-                                     {options.truth_count,
-                                      Sampler::Jittered,
-                                      false,
-                                      {},
-                                      truth_seed + static_cast<std::uint64_t>(i)},
-                                     drawn_only(0))
-                             .image);
-        told((i + 1.0) / options.truth_renders);
-    }
-    const auto n = static_cast<Real>(images.size());
-    Truth truth{make_image(scene.width, scene.height), false, 0,
-                static_cast<double>(options.truth_count) * options.truth_renders};
-    Real squares = 0;
-    for (std::size_t i = 0; i < truth.image.pixels.size(); ++i) {
-        Vec3& mean = truth.image.pixels[i];
-        for (const Image& image : images) mean += image.pixels[i] / n;
-        for (const Image& image : images) {
-            const Vec3 off = image.pixels[i] - mean;
-            squares += dot(off, off) / (n * (n - 1));
-        }
-    }
-    truth.error = std::sqrt(squares / (3 * static_cast<Real>(truth.image.pixels.size())));
-    return truth;
-}
-
 PicturePoint measure_point(Scene& scene, const Way& way, int count, const Image& truth, int repeats) {
     PicturePoint point{count, 1, 0, 0, 0, infinity, 0};
     std::vector<double> seconds, errors, estimates;
@@ -213,9 +151,9 @@ PictureScene measure(const Subject& subject, const std::string& repository, cons
         subject.name, subject.title, subject.chapter, scene.width, scene.height, false, 0, 0, infinity, {}};
     const World world = compile(scene);
     const double truth_part = subject.truth ? 0 : 0.5;
-    const Truth truth = subject.truth
-                            ? Truth{subject.truth(world), true, 0x1p-50, 0}
-                            : converged(scene, options, [&](double done) { told(truth_part * done); });
+    const Truth truth = subject.truth ? Truth{subject.truth(world), true, 0x1p-50, 0}
+                                      : converged(scene, options.truth_count, options.truth_renders,
+                                                  [&](double done) { told(truth_part * done); });
     result.analytic = truth.analytic;
     result.truth_error = truth.error;
     result.truth_samples = truth.samples;

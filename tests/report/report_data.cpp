@@ -1,9 +1,10 @@
 // Program `report_data`: measures what `course report` shows, and writes it as JSON.
-//   report_data [--quick] -o FILE [kernels] [pictures] [grids] [stability]
+//   report_data [--quick] -o FILE [kernels] [pictures] [filters] [grids] [stability]
 #include "common/image/file.hpp"
 #include "common/math/stopwatch.hpp"
 #include "common/terminal/console.hpp"
 #include "tests/report/families.hpp"
+#include "tests/report/filters.hpp"
 #include "tests/report/grids.hpp"
 #include "tests/report/kernels.hpp"
 #include "tests/report/pictures.hpp"
@@ -158,8 +159,9 @@ int run(std::vector<std::string> arguments) {
     const bool quick = take("--quick");
     const auto option = std::find(arguments.begin(), arguments.end(), "-o");
     if (option == arguments.end() || option + 1 == arguments.end()) {
-        fmt::print(stderr,
-                   "report_data: expected [--quick] -o FILE [kernels] [pictures] [grids] [stability]\n");
+        fmt::print(
+            stderr,
+            "report_data: expected [--quick] -o FILE [kernels] [pictures] [filters] [grids] [stability]\n");
         return 2;
     }
     const std::string file = *(option + 1);
@@ -173,6 +175,10 @@ int run(std::vector<std::string> arguments) {
     if (take("pictures"))
         measure(data, "pictures", "pictures", [&](const Told& told) {
             return measure_pictures(test::repository(), quick ? quick_pictures() : PictureOptions{}, told);
+        });
+    if (take("filters"))
+        measure(data, "filters", "texture filters", [&](const Told& told) {
+            return measure_filters(test::repository(), quick ? quick_filters() : FilterOptions{}, told);
         });
     if (take("grids"))
         measure(data, "grids", "grids", [&](const Told& told) {

@@ -1,6 +1,7 @@
 // What `course report` measures, small: exponents of errors, and which method is better; never seconds.
 #include "tests/catch.hpp"
 #include "tests/report/families.hpp"
+#include "tests/report/filters.hpp"
 #include "tests/report/grids.hpp"
 #include "tests/report/kernels.hpp"
 #include "tests/report/pictures.hpp"
@@ -193,6 +194,30 @@ TEST_CASE("renders know how wrong they are, within a factor 1.5") {
                 CHECK(point.error < 1.5 * point.estimate);
                 CHECK(point.estimate < 1.5 * point.error);
             }
+}
+
+TEST_CASE(
+    "filtered textures are less wrong than four texels at one sample, and more samples help everybody") {
+    const std::vector<PictureScene> scenes = measure_filters(test::repository(), {40, {1, 4, 16}, 1, 400, 4});
+    REQUIRE(scenes.size() == 1);
+    const auto errors = [&](const std::string& filter) {
+        const auto at = std::ranges::find(scenes[0].curves, filter, &PictureCurve::method);
+        INFO(filter);
+        REQUIRE(at != scenes[0].curves.end());
+        std::vector<double> all;
+        for (const PicturePoint& point : at->points) all.push_back(point.error);
+        REQUIRE(all.size() == 3);
+        return all;
+    };
+    for (const auto* filter : {"nearest", "bilinear", "trilinear", "anisotropic"}) {
+        const std::vector<double> error = errors(filter);
+        INFO(filter << ": " << error[0] << ", " << error[1] << ", " << error[2]);
+        CHECK(error[1] < error[0]);
+        CHECK(error[2] < error[1]);
+    }
+    CHECK(errors("trilinear")[0] < 0.5 * errors("bilinear")[0]);
+    CHECK(errors("anisotropic")[0] < 0.5 * errors("bilinear")[0]);
+    CHECK(scenes[0].truth_error < scenes[0].best / 3);
 }
 
 TEST_CASE("a grid asks few triangles, ever fewer of them all, and answers as brute force does") {

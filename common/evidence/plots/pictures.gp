@@ -1,4 +1,4 @@
-# Error of a `scene`'s pictures against their time: the methods of `curves`, in the order of the table, with
+# Error of a `scene`'s pictures against their time: the methods of `curves`, in the order of the `table`, with
 # titles of their own; the first `lone` of them have one picture each. `truth` is the standard error of the truth,
 # 0 where that lies far below the plot.
 set datafile missing NaN
@@ -19,7 +19,7 @@ if (truth > 0) {
 
 # Columns: 1 scene, 2 method, 5 seconds, 6 error.
 error_of(i) = strcol(1) eq scene && strcol(2) eq method[i] ? $6 : NaN
-plot for [i=1:lone] 'pictures.csv' skip 1 using 5:(error_of(i)) \
+plot for [i=1:lone] table skip 1 using 5:(error_of(i)) \
          with points pointtype 7 linewidth 1.6 linecolor rgb sampling_color(method[i]) title title[i], \
-     for [i=lone+1:curves] 'pictures.csv' skip 1 using 5:(error_of(i)) \
+     for [i=lone+1:curves] table skip 1 using 5:(error_of(i)) \
          with linespoints pointtype 7 linewidth 1.6 linecolor rgb sampling_color(method[i]) title title[i]

@@ -16,4 +16,6 @@ orange = '#d98514'
 violet = '#8f6fd6'
 grey = '#858c95'
 faint = '#7c848e'
-sampling_color(method) = method eq 'random' ? red : method eq 'regular' ? orange : method eq 'jittered' ? blue : method eq 'Poisson disk' ? green : method eq 'adaptive' ? violet : grey
+sampling_color(method) = method eq 'random' || method eq 'nearest' ? red \
+    : method eq 'regular' || method eq 'bilinear' ? orange : method eq 'jittered' || method eq 'trilinear' ? blue \
+    : method eq 'Poisson disk' || method eq 'anisotropic' ? green : method eq 'adaptive' ? violet : grey
