@@ -19,7 +19,7 @@ FilterOptions quick_filters();
 
 /// The floor of chapter 11's horizon.scene, alone; a curve a filter, each with all the counts. The truth
 /// looks up the nearest texel, in many more samples: what a pixel sees of the texels is then their mean,
-/// without any filter of textures. So the filters that blur keep an error, however many samples they get.
+/// without any filter of textures.
 /// `repository` is where references/ is.
 std::vector<PictureScene> measure_filters(const std::string& repository, const FilterOptions& options = {},
                                           const Told& told = {});
