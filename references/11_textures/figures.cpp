@@ -10,6 +10,7 @@
 #include "chapters/11_textures/sky.hpp"
 #include "chapters/11_textures/texture_coordinates.hpp"
 #include "common/image/compare.hpp"
+#include "references/11_textures/lobe_figures.hpp"
 #include "references/11_textures/texture_pictures.hpp"
 #include "tests/support.hpp"
 
@@ -290,6 +291,11 @@ void draw_all(const Path& out) {
     write_file(out / "nine_numbers.csv", nine_numbers());
     write_file(out / "filter_errors.csv", filter_errors());
     write_file(out / "cells_missed.csv", cells_missed());
+    write_file(out / "furnace.csv", furnaces());
+    write_file(out / "chi_square.csv", chi_squares());
+    write_svg(out / "furnace.svg", furnace_curves());
+    write_svg(out / "lobes.svg", lobes_cut_open());
+    write_image(out / "white_furnace.png", white_furnace());
     write_image(out / "ways_to_the_horizon.png", ways_to_the_horizon());
     draw_scenes(out, __FILE__,
                 {"shapes", "globe", "patterns", "marble", "cells", "bumps", "skylight", "finishes"}, 240,
