@@ -132,8 +132,8 @@ void refuse_texturing(const Scene& scene, const Object& object) {
 }  // namespace
 
 void refuse(const Scene& scene, const Object& object, std::string_view why) {
-    throw InputError(fmt::format("{}:{}:{}: POV-Ray cannot express this object: {}", scene.file,
-                                 object.place.line, object.place.column, why));
+    throw InputError(at_place(scene.file, object.place.line, object.place.column,
+                              fmt::format("POV-Ray cannot express this object: {}", why)));
 }
 
 void refuse(const Scene& scene, std::string_view why) {
