@@ -45,6 +45,7 @@ inline Vec3 near_one(const Vec3& v) {
     const Real size = size_of(v);
     if (!(size > 0) || !std::isfinite(size)) return v;
     const int exponent = -std::ilogb(size);
+    if (exponent < std::numeric_limits<Real>::max_exponent) return std::ldexp(Real(1), exponent) * v;
     return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 
