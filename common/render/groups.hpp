@@ -100,7 +100,10 @@ inline constexpr bool has_uv<MeshUse> = true;
 
 template <class Shape>
 Vec2 uv_at(const Shape& shape, const Vec3& point, std::uint32_t element) {
-    return texture_point(shape, point, element).uv;
+    if constexpr (requires { texture_uv(shape, point, element); })
+        return texture_uv(shape, point, element);
+    else
+        return texture_point(shape, point, element).uv;
 }
 template <class Shape>
 Vec2 uv_at(const Placed<Shape>& placed, const Vec3& point, std::uint32_t element) {
