@@ -50,8 +50,8 @@ Vec3 gradient_color(const GradientSky& sky, const Vec3& direction) {
     // [/exercise]
 }
 
-Vec3 turned(const Vec3& direction, Real angle) {
-    const Real c = std::cos(radians(angle)), s = std::sin(radians(angle));
+Vec3 turned(const Vec3& direction, const Turn& turn) {
+    const auto& [c, s] = turn;
     // + 0 makes 0 of −0, so that straight up has one longitude, 0, whatever the angle.
     return {c * direction.x - s * direction.z + 0.0, direction.y, s * direction.x + c * direction.z + 0.0};
 }
