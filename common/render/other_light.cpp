@@ -3,9 +3,8 @@
 
 #include "chapters/11_textures/harmonics.hpp"
 #include "chapters/11_textures/lobes.hpp"
+#include "chapters/11_textures/texture_coordinates.hpp"
 #include "common/render/lights.hpp"
-
-#include <cmath>
 
 namespace rt {
 namespace {
@@ -26,10 +25,10 @@ Lobe lobe_of(const Finish& finish, const Vec3& color) {
 }
 
 /// Columns that are perpendicular unit vectors, the last of which is n. The lobes look the same when they are
-/// turned about it, so any will do (Duff and others 2017).
+/// turned about it, so any will do.
 Mat3 frame_around(const Vec3& n) {
-    const Real sign = std::copysign(Real(1), n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
-    return {Vec3(1 + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y), n};
+    const auto [u, v] = plane_axes(n);
+    return {u, v, n};
 }
 
 }  // namespace
@@ -38,13 +37,14 @@ Vec3 other_light(const World& world, const Surface& surface, const Material& mat
                  const Vec3& to_viewer) {
     const bool has_finish = world.needs.finishes && material.finish >= 0;
     Lobe lobe;
+    Mat3 frame(1);
     Material plain = material;
     if (has_finish) {
+        frame = frame_around(normal);
         lobe = lobe_of(world.finishes[static_cast<std::size_t>(material.finish)],
                        glm::min(material.diffuse, Vec3(1)));
         plain.diffuse = Vec3(0);
     }
-    const Mat3 frame = frame_around(normal);
     const Vec3 viewer = to_viewer * frame;
     Vec3 sum = emitted_light(material);
     if (world.needs.skylight) sum += sky_diffuse(world.skylight, normal, material.diffuse);
