@@ -398,6 +398,14 @@ TEST_CASE("lesson 11 says what its figures program has counted", "[texts]") {
     CHECK(missed[0] == 2e6);
     CHECK(std::stod(found(text, "F1 was wrong at (\\S+) and F2")) == missed[1]);
     CHECK(std::stod(found(text, "F1 was wrong at \\S+ and F2 at (\\d+)")) == missed[2]);
+    const std::vector<double> led_back = numbers_in(lines_of(chapter, "led_back.csv").front());
+    const std::regex prose(
+        "viewer at (\\S+)° and a normal at −(\\S+)°, the mirrored ray goes down by (\\S+);"
+        "\\s+at\\s+−(\\S+)° it rises by 1/(\\d+) of the viewer's height");
+    std::smatch said;
+    REQUIRE(std::regex_search(text, said, prose));
+    REQUIRE(led_back.size() + 1 == said.size());
+    for (std::size_t i = 0; i < led_back.size(); ++i) CHECK(std::stod(said[i + 1]) == led_back[i]);
 }
 
 TEST_CASE("hints ask the world as its header declares it, or as the solution does", "[texts]") {
