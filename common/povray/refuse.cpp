@@ -6,6 +6,7 @@
 #include "common/povray/camera.hpp"
 #include "common/povray/optics.hpp"
 #include "common/povray/placement.hpp"
+#include "common/scene/cut_open.hpp"
 
 #include <fmt/format.h>
 
@@ -92,6 +93,7 @@ void refuse_material(const Scene& scene, const Object& object) {
 }
 
 void refuse_glass_shape(const Scene& scene, const Object& object) {
+    if (cut_open(object.shape)) refuse(scene, object, "a transparent surface that its box cuts open");
     if (!words_of(object.shape).has_inside)
         refuse(scene, object, "a transparent object without an inside; put its faces into one `mesh`");
     const auto* shown = std::get_if<MeshObject>(&object.shape);
