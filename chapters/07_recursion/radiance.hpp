@@ -1,6 +1,7 @@
 // The tree of rays: Whitted's ray tracer (1980).
 #pragma once
 
+#include "chapters/07_recursion/optics.hpp"
 #include "common/world/query.hpp"
 
 #include <array>
@@ -13,6 +14,18 @@ enum class RayKind { Camera, Reflection, Refraction };
 /// Which transparent objects a ray is inside of, in the order of entering; the last one's medium is the
 /// one around the ray.
 using Media = std::vector<Medium>;
+
+/// The index of refraction of what is around a ray that is inside of these.
+inline Real ior(const World& world, const Media& media) {
+    const Material* around = material_around(world, media);
+    return around ? around->ior : 1;
+}
+
+/// What is left of light after `distance` in the medium around a ray that is inside of these.
+inline Vec3 left_after(const World& world, const Media& media, Real distance) {
+    const Material* around = material_around(world, media);
+    return around ? transmitted(around->absorption, distance) : Vec3(1);
+}
 
 /// One ray of the tree.
 struct Branch {

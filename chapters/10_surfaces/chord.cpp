@@ -7,8 +7,11 @@ namespace rt {
 
 std::optional<Chord> chord(const Box& box, const Ray& ray, Interval part) {
     const std::optional<Span> span = inside(box, ray);
-    if (!span) return std::nullopt;
-    const Real enter = std::max(span->enter, part.min), leave = std::min(span->leave, part.max);
+    return span ? chord(*span, ray, part) : std::nullopt;
+}
+
+std::optional<Chord> chord(const Span& in_box, const Ray& ray, Interval part) {
+    const Real enter = std::max(in_box.enter, part.min), leave = std::min(in_box.leave, part.max);
     if (!(enter < leave)) return std::nullopt;
     const Real length = leave - enter;
     return Chord{ray.origin + enter * ray.direction, length * ray.direction, enter, length};

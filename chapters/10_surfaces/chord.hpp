@@ -27,6 +27,9 @@ struct Chord {
 /// It is the exact chord but for a move by 4u·(|origin| + the box's greatest coordinate).
 std::optional<Chord> chord(const Box& box, const Ray& ray, Interval part);
 
+/// The same from what `inside` says of the box and the ray.
+std::optional<Chord> chord(const Span& in_box, const Ray& ray, Interval part);
+
 /// The point on a surface in the box where the ray hits it at t, before it is moved onto the surface.
 Vec3 point_in(const Box& box, const Ray& ray, Real t);
 

@@ -81,7 +81,7 @@ Surface surface_at(const Cone& cone, const Ray& ray, const Hit& hit) {
     Vec3 across = way - s * u;
     across -= (dot(across, u) / u2) * u;
     // On the axis itself, at an apex, any direction is as good as another.
-    if (across == Vec3(0)) across = cross(u, std::abs(u.x) < std::abs(u.y) ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
+    if (across == Vec3(0)) across = any_across(u);
     const Vec3 radial = normalize(near_one(across));
 
     // A point within rounding of a rim or an apex is moved into its own face, so that the next ray does not

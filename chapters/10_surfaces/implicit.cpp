@@ -115,28 +115,28 @@ Piece narrowed(const ImplicitLine& line, Piece piece) {
 std::optional<Hit> intersect(const Implicit& implicit, const Ray& ray, Interval range) {
     const std::optional<Chord> part = chord(implicit.box, ray, {0, infinity});
     if (!part) return std::nullopt;
-    const std::optional<LineCrossing> crossing = first_crossing({implicit.f, *part}, range);
+    const std::optional<LineCrossing> crossing = first_crossing({lent(implicit.f), *part}, range);
     return crossing ? std::optional(Hit{.t = crossing->t, .element = surface_face}) : std::nullopt;
 }
 
 std::vector<Span> inside(const Implicit& implicit, const Ray& ray) {
     constexpr Interval whole{-infinity, infinity};
     std::vector<Span> spans;
-    const std::optional<Chord> part = chord(implicit.box, ray, whole);
+    const std::optional<Span> box = inside(implicit.box, ray);
+    const std::optional<Chord> part = box ? chord(*box, ray, whole) : std::nullopt;
     if (!part) return spans;
-    const ImplicitLine line{implicit.f, *part};
+    const ImplicitLine line{lent(implicit.f), *part};
     std::optional<LineCrossing> crossing = first_crossing(line, whole);
     // Where the line comes into the box within rounding of the surface, what follows tells the side.
     int side = side_at(line, 0);
     if (side == 0) side = crossing ? -crossing->after : side_at(line, 0.5);
-    const Span box = *inside(implicit.box, ray);
-    Span span = box;
+    Span span = *box;
     // As long as there is a further one, and not the same again.
     for (Real last = -infinity; crossing && crossing->t > last;
          crossing = first_crossing(line, {last, infinity})) {
         last = crossing->t;
         if (crossing->after < 0)
-            span = {crossing->t, box.leave, surface_face, box.leave_face};
+            span = {crossing->t, box->leave, surface_face, box->leave_face};
         else if (side < 0)
             spans.push_back({span.enter, crossing->t, span.enter_face, surface_face});
         side = crossing->after;
@@ -145,29 +145,17 @@ std::vector<Span> inside(const Implicit& implicit, const Ray& ray) {
     return spans;
 }
 
-namespace {
-
-/// The place of the hit on the line, moved along the gradient until f is 0 but for rounding, if that is near.
-Vec3 polished(const Formula& f, Vec3 p, Real near) {
-    for (int i = 0; i < 3; ++i) {
-        const Vec3 g = gradient_at(f, p);
-        const Vec3 step = -value_at(f, p) / dot(g, g) * g;
-        if (!(size_of(step) <= near)) break;
-        p += step;
-    }
-    return p;
-}
-
-}  // namespace
-
 Surface surface_at(const Implicit& implicit, const Ray& ray, const Hit& hit) {
     if (hit.element != surface_face) return surface_at(implicit.box, ray, hit);
-    const auto& [box, f] = implicit;
-    const Vec3 p = polished(*f, point_in(box, ray, hit.t), 0x1p-20 * size_of(box.high - box.low));
+    const Box& box = implicit.box;
+    const Formula& f = *implicit.f;
+    const auto value = [&](const Vec3& there) { return value_at(f, there); };
+    const auto gradient = [&](const Vec3& there) { return gradient_at(f, there); };
+    const Vec3 p = polished(point_in(box, ray, hit.t), box, 3, value, gradient);
     const auto side = [&](const Vec3& n, Real low, Real high) {
-        return side_of(enclose({implicit.f, {p, n, 0, 1}}, {low, high}).value);
+        return side_of(enclose({lent(implicit.f), {p, n, 0, 1}}, {low, high}).value);
     };
-    return surface_around(p, gradient_at(*f, p), ray, box, side);
+    return surface_around(p, gradient(p), ray, box, side);
 }
 
 Bounds bounds_of(const Implicit& implicit) { return {implicit.box.low, implicit.box.high}; }

@@ -69,15 +69,15 @@ std::optional<Hit> intersect(const Quadric& quadric, const Ray& ray, Interval ra
 
 std::vector<Span> inside(const Quadric& quadric, const Ray& ray) {
     std::vector<Span> spans;
-    const std::optional<Chord> part = chord(quadric.box, ray, {-infinity, infinity});
+    const std::optional<Span> box = inside(quadric.box, ray);
+    const std::optional<Chord> part = box ? chord(*box, ray, {-infinity, infinity}) : std::nullopt;
     if (!part) return spans;
     const auto [a, h, c, roots] = equation_of(quadric, *part);
-    const Span box = *inside(quadric.box, ray);
     // What of a part of the line is in the box; it is a part between two points of the surface, or from or up
     // to one.
     const auto append = [&](Real enter, Real leave) {
         const Span between{part->t_at(enter), part->t_at(leave), surface_face, surface_face};
-        if (const std::optional<Span> common = common_part(box, between); common && enter < leave)
+        if (const std::optional<Span> common = common_part(*box, between); common && enter < leave)
             spans.push_back(*common);
     };
     const bool is_whole = roots.count == 0 ? (a == 0 ? c <= 0 : a < 0) : a < 0 && roots.t0 == roots.t1;
@@ -95,22 +95,20 @@ std::vector<Span> inside(const Quadric& quadric, const Ray& ray) {
 Surface surface_at(const Quadric& quadric, const Ray& ray, const Hit& hit) {
     if (hit.element != surface_face) return surface_at(quadric.box, ray, hit);
     const Box& box = quadric.box;
-    Vec3 p = point_in(box, ray, hit.t);
-    for (int i = 0; i < 2; ++i) {
-        const Vec3 g = gradient_at(quadric, p), step = -value_at(quadric, p) / dot(g, g) * g;
-        if (size_of(step) <= 0x1p-20 * size_of(box.high - box.low)) p += step;
-    }
+    const auto value = [&](const Vec3& there) { return value_at(quadric, there); };
+    const auto gradient = [&](const Vec3& there) { return gradient_at(quadric, there); };
+    const Vec3 p = polished(point_in(box, ray, hit.t), box, 2, value, gradient);
     // Whether the value is above rounding at both ends. In the part it is then no less: where it is negative,
     // it was so at an end, too, or the part is as wide as the quadric.
     const auto side_at = [&](const Vec3& there) {
-        const Real value = value_at(quadric, there), rounding = gamma(64) * magnitude_at(quadric, there);
-        return value > rounding ? 1 : value < -rounding ? -1 : 0;
+        const Real f = value(there), rounding = gamma(64) * magnitude_at(quadric, there);
+        return f > rounding ? 1 : f < -rounding ? -1 : 0;
     };
     const auto side = [&](const Vec3& n, Real low, Real high) {
         const int at_low = side_at(p + low * n);
         return at_low == side_at(p + high * n) ? at_low : 0;
     };
-    return surface_around(p, gradient_at(quadric, p), ray, box, side);
+    return surface_around(p, gradient(p), ray, box, side);
 }
 
 Bounds bounds_of(const Quadric& quadric) { return {quadric.box.low, quadric.box.high}; }

@@ -1,4 +1,4 @@
-// The surface around a point of f = 0 in a box, and how wrong the point may be: given.
+// A point moved onto f = 0 in a box, the surface around it, and how wrong it may be: given.
 #pragma once
 
 #include "chapters/10_surfaces/chord.hpp"
@@ -7,6 +7,19 @@
 #include <algorithm>
 
 namespace rt {
+
+/// A point where f is nearly 0, moved along its gradient by a few steps of Newton's until f is 0 but for
+/// rounding; not where that leads away.
+template <class ValueAt, class GradientAt>
+Vec3 polished(Vec3 p, const Box& box, int steps, const ValueAt& value_at, const GradientAt& gradient_at) {
+    const Real near = 0x1p-20 * size_of(box.high - box.low);
+    for (int i = 0; i < steps; ++i) {
+        const Vec3 g = gradient_at(p), step = -value_at(p) / dot(g, g) * g;
+        if (!(size_of(step) <= near)) break;
+        p += step;
+    }
+    return p;
+}
 
 /// The least distance from `least` to `most`, doubled again and again, from which on both sides of the normal
 /// are sure; or if that is not soon after the ray's own side is, the least for that one; 0 if there is none.

@@ -111,7 +111,7 @@ Surface surface_at(const Torus& torus, const Ray& ray, const Hit& hit) {
     Vec3 across = way - z * n;
     across -= dot(across, n) * n;
     // On the axis itself any direction is as good as another.
-    if (across == Vec3(0)) across = cross(n, std::abs(n.x) < std::abs(n.y) ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
+    if (across == Vec3(0)) across = any_across(n);
     const Vec3 radial = normalize(near_one(across));
 
     // From the ring to the hit, and there onto the tube. On the ring itself, where the tube is thinner than

@@ -24,6 +24,7 @@ Vec3 texel(const Image& image, std::int64_t column, std::int64_t row, Wrap wrap)
 
 Vec2 near_image(const Vec2& uv, Wrap wrap) {
     if (wrap == Wrap::Clamp) return clamp(uv, Vec2(-1), Vec2(2));
+    if (std::abs(uv.x) < 2 && std::abs(uv.y) < 2) return uv;
     // Whether the image repeats or is mirrored, 2 is a period of it. fmod does not round.
     return {std::fmod(uv.x, 2), std::fmod(uv.y, 2)};
 }

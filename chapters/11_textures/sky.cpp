@@ -1,6 +1,8 @@
 // What is seen in a direction: skies of one colour, of three, and of pictures of all directions.
 #include "chapters/11_textures/sky.hpp"
 
+#include "chapters/11_textures/image_texture.hpp"
+
 #include "common/math/todo.hpp"
 
 #include <algorithm>
@@ -25,39 +27,19 @@ Vec3 gradient_color(const GradientSky& sky, const Vec3& direction) {
     return todo("11.8");
 }
 
-Vec3 turned(const Vec3& direction, Real angle) {
-    const Real c = std::cos(radians(angle)), s = std::sin(radians(angle));
+Vec3 turned(const Vec3& direction, const Turn& turn) {
+    const auto& [c, s] = turn;
     // + 0 makes 0 of −0, so that straight up has one longitude, 0, whatever the angle.
     return {c * direction.x - s * direction.z + 0.0, direction.y, s * direction.x + c * direction.z + 0.0};
 }
 
-namespace {
-
-/// Two neighbours in a row or column, and the second one's share.
-struct Neighbours {
-    int first = 0;
-    int second = 0;
-    Real share = 0;
-};
-
-Neighbours neighbours(Real place, int count, bool around) {
-    const Real inside = place > 0 ? std::min(place, Real(1)) : Real(0);
-    const Real centred = inside * count - 0.5;
-    const Real below = std::floor(centred);
-    const int i = static_cast<int>(below);
-    if (around) return {(i + count) % count, (i + 1) % count, centred - below};
-    return {std::max(i, 0), std::min(i + 1, count - 1), centred - below};
-}
-
-}  // namespace
-
 Vec3 sky_texel(const Image& image, const Vec2& uv, bool around) {
-    const Neighbours x = neighbours(uv.x, image.width, around);
-    const Neighbours y = neighbours(1 - uv.y, image.height, false);
-    const auto in_row = [&](int row) {
-        return glm::mix(pixel(image, x.first, row), pixel(image, x.second, row), x.share);
-    };
-    return glm::mix(in_row(y.first), in_row(y.second), y.share);
+    // NaN is not greater than anything.
+    const auto inside = [](Real x, Real low, Real high) { return x > low ? std::min(x, high) : low; };
+    // Up to the middles of the outer rows, beyond which a picture that repeats goes on at the other pole.
+    const Real outer = 0.5 / image.height;
+    const Vec2 at(inside(uv.x, 0, 1), inside(uv.y, outer, 1 - outer));
+    return bilinear(image, at, around ? Wrap::Repeat : Wrap::Clamp);
 }
 
 namespace {

@@ -38,14 +38,14 @@ std::optional<Vec3> sky_direction(SkyMap map, const Vec2& uv);
 /// below. Within 8u of the greatest of the colours' sizes.
 Vec3 gradient_color(const GradientSky& sky, const Vec3& direction);
 
-/// The direction in which to look into a sky's picture that was turned by `angle` degrees about y,
-/// counterclockwise as seen from above: so the direction is turned clockwise. A turn by 90 moves what was
-/// seen at x to −z. Neither x nor z is −0. Given.
-Vec3 turned(const Vec3& direction, Real angle);
+/// The direction in which to look into a sky's picture that was turned about y, counterclockwise as seen from
+/// above: so the direction is turned clockwise. A quarter turn moves what was seen at x to −z. Neither x nor
+/// z is −0. Given.
+Vec3 turned(const Vec3& direction, const Turn& turn);
 
-/// The picture's light at uv, bilinear between the centres of pixels, which are at ½ pixel, 1½ pixels, ….
-/// Beyond the top and bottom rows it stays the same; beyond the outer columns it goes on at the other side if
-/// `around`, and else stays the same. A uv outside of [0, 1]² or NaN is brought inside. Given.
+/// The picture's light at uv, as `bilinear` has it. Beyond the middles of the top and bottom rows it stays
+/// the same; beyond those of the outer columns it goes on at the other side if `around`, and else stays the
+/// same. A uv outside of [0, 1]² or NaN is brought inside. Given.
 Vec3 sky_texel(const Image& image, const Vec2& uv, bool around);
 
 /// The light of the sky from a direction of any length but 0. Pictures go around from the right edge to the

@@ -40,11 +40,23 @@ Vec2 perspective_uv(const std::array<Vec2, 3>& uvs, const Vec3& depths, const Ve
     return todo("11.1");
 }
 
-TexturePoint texture_point(const Sphere& sphere, const Vec3& p, std::uint32_t) {
-    // Given: the direction from the centre to p, and where on the texture that is. Rounding may make n.y a
-    // little greater than 1, of which there is no arcsine.
+namespace {
+
+/// From the centre to p. Rounding may make n.y a little greater than 1, of which there is no arcsine.
+Vec3 direction_to(const Vec3& p, const Sphere& sphere) {
     const Vec3 f = p - sphere.center;
-    const Vec3 n = f == Vec3(0) ? Vec3(1, 0, 0) : clamp(unit(f), Vec3(-1), Vec3(1));
+    return f == Vec3(0) ? Vec3(1, 0, 0) : clamp(unit(f), Vec3(-1), Vec3(1));
+}
+
+}  // namespace
+
+Vec2 texture_uv(const Sphere& sphere, const Vec3& p, std::uint32_t) {
+    return sphere_uv(direction_to(p, sphere));
+}
+
+TexturePoint texture_point(const Sphere& sphere, const Vec3& p, std::uint32_t) {
+    // Given: the direction from the centre to p, and where on the texture that is.
+    const Vec3 n = direction_to(p, sphere);
     TexturePoint texture;
     texture.uv = sphere_uv(n);
 
@@ -80,18 +92,47 @@ TexturePoint texture_point(const Box& box, const Vec3& p, std::uint32_t element)
     return {{0.5 + dot(f, u), 0.5 + dot(f, v)}, size * u, size * v};
 }
 
+namespace {
+
+/// The axis of a cone, and two directions across it between which u counts.
+struct Around {
+    Vec3 axis, from, towards;
+};
+Around around(const Cone& cone) {
+    const Vec3 axis = cone.b - cone.a;
+    const PlaneAxes across = plane_axes(axis);
+    return {axis, across.u, -across.v};
+}
+
+/// (u, v) on the side.
+Vec2 side_uv(const Cone& cone, [[maybe_unused]] const Around& given, const Vec3& p) {
+    [[maybe_unused]] const auto& [axis, from, towards] = given;
+    [[maybe_unused]] const Vec3 f = p - cone.a;
+    // 11.1  Return uv. p is at f, as seen from the end a. u begins at `from`, and a quarter of it
+    // is at `towards` (both unit vectors, across the axis). Keep v in [0, 1].
+    return todo("11.1");
+}
+
+}  // namespace
+
+Vec2 texture_uv(const OpenCone& open, const Vec3& p, std::uint32_t) {
+    return side_uv(open.cone, around(open.cone), p);
+}
+
 TexturePoint texture_point(const OpenCone& open, const Vec3& p, std::uint32_t) {
     const Cone& cone = open.cone;
-    // Given: the axis, the way to p, and two directions across the axis between which u counts.
-    const Vec3 axis = cone.b - cone.a;
-    [[maybe_unused]] const Vec3 f = p - cone.a;
-    const PlaneAxes across = plane_axes(axis);
-    [[maybe_unused]] const Vec3 from = across.u, towards = -across.v;
+    // Given: the axis, two directions across it, and where on the texture p is.
+    const Around given = around(cone);
+    [[maybe_unused]] const auto& [axis, from, towards] = given;
+    [[maybe_unused]] const Vec2 uv = side_uv(cone, given, p);
 
-    // 11.1  Return uv, du and dv of the side. p is at f, as seen from the end a. u begins at
-    // `from`, a quarter of it is at `towards` (both unit vectors, across the axis), and du and dv are how the
-    // point moves on the side: it is radius_a wide at v = 0, and radius_b at v = 1. Keep v in [0, 1].
+    // 11.1  Return uv, and with it du and dv: how the point moves on the side. It is radius_a wide
+    // at v = 0, and radius_b at v = 1.
     return todo("11.1");
+}
+
+Vec2 texture_uv(const Cone& cone, const Vec3& p, std::uint32_t element) {
+    return element == 0 ? texture_uv(OpenCone{cone}, p, 0) : texture_point(cone, p, element).uv;
 }
 
 TexturePoint texture_point(const Cone& cone, const Vec3& p, std::uint32_t element) {
@@ -100,19 +141,35 @@ TexturePoint texture_point(const Cone& cone, const Vec3& p, std::uint32_t elemen
     return texture_point(OpenCone{cone}, p, 0);
 }
 
-TexturePoint texture_point(const Torus& torus, const Vec3& p, std::uint32_t) {
+namespace {
+
+/// The axes of a torus, and where on the texture a point lies.
+struct OnTorus {
+    Vec3 n, x_axis, minus_z_axis;
+    Vec2 uv;
+};
+OnTorus on_torus(const Torus& torus, const Vec3& p) {
     const Vec3 n = unit(torus.axis), f = p - torus.center;
     const auto [x_axis, minus_z_axis] = plane_axes(n);
     const Real x = dot(f, x_axis), z = -dot(f, minus_z_axis), height = dot(f, n);
     // Half a turn more, and backwards: both wrapped by asking for the opposite direction.
-    const Real u = part_of_turn(z, -x), v = part_of_turn(-height, torus.ring - std::hypot(x, z));
+    return {
+        n, x_axis, minus_z_axis, {part_of_turn(z, -x), part_of_turn(-height, torus.ring - std::hypot(x, z))}};
+}
+
+}  // namespace
+
+Vec2 texture_uv(const Torus& torus, const Vec3& p, std::uint32_t) { return on_torus(torus, p).uv; }
+
+TexturePoint texture_point(const Torus& torus, const Vec3& p, std::uint32_t) {
+    const auto [n, x_axis, minus_z_axis, uv] = on_torus(torus, p);
+    const Real u = uv.x, v = uv.y;
     const Real theta = pi - 2 * pi * u, psi = 2 * pi * v - pi;
     const Vec3 radial = std::cos(theta) * x_axis - std::sin(theta) * minus_z_axis;
     const Vec3 ahead = -std::sin(theta) * x_axis - std::cos(theta) * minus_z_axis;
     // How far the point is from the axis; where R < r the surface ends there.
     const Real distance = std::max(torus.ring + torus.tube * std::cos(psi), Real(0));
-    return {{u, v},
-            -2 * pi * distance * ahead,
+    return {uv, -2 * pi * distance * ahead,
             2 * pi * torus.tube * (std::cos(psi) * n - std::sin(psi) * radial)};
 }
 

@@ -141,6 +141,13 @@ void print_json(const Scene& scene, const World& world, const RenderResult& resu
     fmt::print("{}\n", json_text(object));
 }
 
+/// The picture as a file of this kind shows it: 8-bit ones by the scene's gamma.
+Image for_file(const Scene& scene, const fs::path& output, Image image) {
+    if (scene.gamma == 1 || output.extension() == ".pfm" || output.extension() == ".hdr") return image;
+    for (Vec3& pixel : image.pixels) pixel = glm::pow(glm::max(pixel, Vec3(0)), Vec3(1 / scene.gamma));
+    return image;
+}
+
 void show(const Image& image, Encoding encoding) {
     const TerminalSize terminal = terminal_size(stdout);
     fmt::print("{}", preview(image, encoding, terminal.columns, terminal.rows - 3));
@@ -163,7 +170,8 @@ int run_render(const RenderCommand& command) {
 
     const World world = compile(scene);
     const RenderResult result = rendered(world, command, output);
-    write_image(output, result.image, scene.encoding);
+    const Image shown = for_file(scene, output, result.image);
+    write_image(output, shown, scene.encoding);
     // A whole pass may take longer than the time that was given, and the person should know why.
     if (command.seconds && result.seconds > 1.1 * *command.seconds)
         say("one sample a pixel takes longer than {}", duration(*command.seconds));
@@ -172,7 +180,7 @@ int run_render(const RenderCommand& command) {
         print_json(scene, world, result, output);
         return 0;
     }
-    if (command.preview) show(result.image, scene.encoding);
+    if (command.preview) show(shown, scene.encoding);
     if (!command.quiet)
         say("{}  {} × {}, {}{}, {}; {}", output.string(), scene.width, scene.height, sampling_of(result),
             counted(all_rays(result.rays), "ray"), duration(result.seconds), whose_code());

@@ -3,9 +3,10 @@
 
 #include "common/image/image.hpp"
 #include "common/math/input_error.hpp"
-#include "common/scene/scene.hpp"
+#include "common/scene/snapshot.hpp"
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace rt {
@@ -28,11 +29,13 @@ struct PovrayPicture {
 
 /// Runs POV-Ray in `directory` on NAME.pov, into which `text`, the export of `scene`, is written; its picture
 /// is 16-bit, linear, and is left there as NAME.png. Its pixels may be samples, which are not weighed yet.
-/// Throws MissingProgram, and InputError if POV-Ray fails.
+/// Not for scenes of which it makes several pictures. Throws MissingProgram, and InputError if POV-Ray fails.
 PovrayPicture samples_by_povray(const std::string& name, const std::string& text, const Scene& scene,
                                 const std::filesystem::path& directory);
 
-/// The same with the samples weighed: the picture.
+/// The same with the samples weighed: the picture. Of a blurred scene whose pixels share their samples these
+/// are as many pictures, which are not left there. Throws InputError if one of several is white somewhere,
+/// because the mean of what is cut off there is not what is cut off of the mean.
 PovrayPicture picture_by_povray(const std::string& name, const std::string& text, const Scene& scene,
                                 const std::filesystem::path& directory);
 
@@ -41,6 +44,10 @@ double povray_startup(const std::filesystem::path& directory);
 
 /// A picture that is `scale` times as large, as samples of the scene's pixels, weighed by its filter.
 Image filtered(const Image& large, int scale, const Scene& scene);
+
+/// Pictures of which each has one sample of every pixel, where its snapshot says, weighed by the scene's
+/// filter.
+Image filtered(std::span<const Image> stills, std::span<const Snapshot> snapshots, const Scene& scene);
 
 /// The scene whose pixels are the samples of this one, `scale` × `scale` a pixel.
 Scene scene_of_samples(Scene scene, int scale);

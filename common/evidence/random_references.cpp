@@ -9,6 +9,7 @@
 #include "common/render/compile.hpp"
 #include "common/render/decisions.hpp"
 #include "common/render/render.hpp"
+#include "common/render/snapshots.hpp"
 #include "common/scene/parse.hpp"
 
 #include <fmt/format.h>
@@ -23,13 +24,13 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Judges by the gate of the tour what a ray each has seen, before a filter makes many pixels of one, and our
-/// picture by what our filter makes of these. Where POV-Ray itself puts its samples together, there are as
-/// many decisions as samples, and so often may one be another.
+/// picture by what our filter makes of these. Where POV-Ray itself puts its samples together, or each is of a
+/// picture of its own, there are as many decisions as samples, and so often may one be another.
 Agreement judge_random(const Scene& scene, const Image& theirs, const PovrayRun& run) {
     const RenderOptions options{.threads = 1, .progress = {}, .estimate = false};
     const World world = compile(scene);
     const Image ours = render(world, options).image;
-    if (!run.filter) {
+    if (!run.filter || run.frames > 1) {
         Agreement agreement = judge(ours, theirs, [&] { return decisions(world); });
         const Real samples = static_cast<Real>(ours.pixels.size()) * scene.sampling.count;
         agreement.passed =
@@ -48,12 +49,14 @@ RandomFinding compare_random_scene(const std::string& name, const fs::path& dire
     const Scene scene = parse_scene(directory / (name + ".scene"));
     std::string text;
     try {
-        text = export_povray(scene);
+        text = export_povray(scene, snapshots_of(scene));
     } catch (const InputError& error) {
         return {RandomFinding::Refused, error.what()};
     }
-    const Image theirs = samples_by_povray(name, text, scene, directory).image;
-    const Agreement agreement = judge_random(scene, theirs, povray_run(scene));
+    const PovrayRun run = povray_run(scene);
+    const Image theirs = run.frames > 1 ? picture_by_povray(name, text, scene, directory).image
+                                        : samples_by_povray(name, text, scene, directory).image;
+    const Agreement agreement = judge_random(scene, theirs, run);
     if (agreement.passed) return {};
     return {RandomFinding::Differs,
             fmt::format("{} of {} pixels by up to {:.0f}/65535, {} of them not at silhouettes",

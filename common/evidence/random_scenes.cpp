@@ -355,6 +355,31 @@ void write_plane(Author& a) {
     a.line("plane {} {}", triple(a.unit * point), triple(normal * side * a.uniform(0.5, 2)));
 }
 
+/// What chapter 12 brings, by random numbers of its own. Mostly it says that nothing blurs: what does is
+/// sampled by other points in each pixel, and refused.
+void write_blur(Author& a, std::uint64_t number) {
+    Author b{random_for(number, 1, 0)};
+    if (!b.chance(0.15)) return;
+    const Real blurred = b.chance(0.25) ? a.unit : 0;
+    a.line("lens {:.5g} {:.5g}\naperture {}", 0.1 * blurred, 5 * a.unit, b.one_of({"0", "5", "6 30"}));
+    a.line("shutter {}\ncameramotion {}", b.one_of({"0 0", ".2 .3"}), triple(Vec3(0.1 * blurred, 0, 0)));
+    a.line("lightsamples {}\nlightstratify {}\nlightsampling {}\nlightchoice {}", b.whole(1, 4),
+           b.one_of({"on", "off"}), b.one_of({"angle", "area"}), b.one_of({"all", "one"}));
+    a.line("motion {}\nmotion 0 0 0\ngloss {}\ntranslucency {}", triple(Vec3(0, 0.2 * blurred, 0)),
+           blurred > 0 ? b.one_of({"0", "20"}) : "0", blurred > 0 ? b.one_of({"0", "20"}) : "0");
+    a.line("brdf {}\nroughness {:.5g}\ngamma {}", b.one_of({"phong", "ggx"}), b.uniform(0, 1),
+           b.one_of({"1", "2.2"}));
+    if (blurred == 0) return;
+    const Real u = a.unit;
+    a.line("quadLight {} {} {} .1 .1 .1", triple(u * Vec3(-1, 4, 0)), triple(u * Vec3(0, 0, 1)),
+           triple(u * Vec3(1, 0, 0)));
+    a.line("triangleLight {} {} {} .1 .1 .1", triple(u * Vec3(1, 4, 0)), triple(u * Vec3(2, 4, 0)),
+           triple(u * Vec3(1, 4, 1)));
+    a.line("discLight {} 0 -1 0 {:.5g} .1 .1 .1", triple(u * Vec3(3, 4, 0)), 0.5 * u);
+    a.line("sphereLight {} {:.5g} .1 .1 .1", triple(u * Vec3(-3, 4, 0)), 0.3 * u);
+    a.line("meshLight gem.obj .01 .01 .01");
+}
+
 }  // namespace
 
 std::string random_scene(std::uint64_t number) {
@@ -370,6 +395,7 @@ std::string random_scene(std::uint64_t number) {
     if (a.chance(0.15)) write_sky(a);
     write_sampling(a);
     write_lights(a);
+    write_blur(a, number);
     if (a.chance(0.1)) a.line("maxverts 100\nmaxvertnorms 100");
     if (a.integrator != rasterize_word && a.chance(0.7)) write_plane(a);
     const int count = a.whole(1, 6);

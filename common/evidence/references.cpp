@@ -8,6 +8,7 @@
 #include "common/povray/export.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/render.hpp"
+#include "common/render/snapshots.hpp"
 #include "common/scene/parse.hpp"
 
 #include <fmt/format.h>
@@ -79,7 +80,7 @@ void write_changed(const ReferenceFinding& finding, const std::string& text, con
 void check_scene(ReferenceFinding& finding, const fs::path& directory, double startup, bool make) {
     const ReferenceScene& scene = finding.scene;
     const Scene parsed = parse_scene(scene.scene);
-    const std::string text = export_povray(parsed);
+    const std::string text = export_povray(parsed, snapshots_of(parsed));
     finding.pov = compare_text(scene.pov, text);
     const PovrayPicture made = picture_by_povray(scene.name, text, parsed, directory);
     finding.seconds = std::max(made.seconds - startup, 0.);

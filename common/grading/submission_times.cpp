@@ -16,7 +16,7 @@ namespace {
 
 /// Where something is wrong; columns count bytes.
 [[noreturn]] void refuse(const std::string& file, int line, std::size_t column, const std::string& what) {
-    throw InputError(fmt::format("{}:{}:{}: {}", printable(file), line, column, what));
+    throw InputError(at_place(printable(file), line, column, what));
 }
 
 /// `"Lovelace, Ada"` as `Lovelace, Ada`.

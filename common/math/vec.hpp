@@ -45,10 +45,16 @@ inline Vec3 near_one(const Vec3& v) {
     const Real size = size_of(v);
     if (!(size > 0) || !std::isfinite(size)) return v;
     const int exponent = -std::ilogb(size);
+    if (exponent < std::numeric_limits<Real>::max_exponent) return std::ldexp(Real(1), exponent) * v;
     return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 
 /// The vector with length 1, however short or long it is; not for 0.
 inline Vec3 unit(const Vec3& v) { return glm::normalize(v / size_of(v)); }
+
+/// Some vector that is perpendicular to v and not 0, unless v is.
+inline Vec3 any_across(const Vec3& v) {
+    return glm::cross(v, std::abs(v.x) < std::abs(v.y) ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
+}
 
 }  // namespace rt

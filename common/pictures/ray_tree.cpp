@@ -54,9 +54,11 @@ ordered_json to_json(const Scene& scene, const World& world, const TraceRecord& 
                          {"weight", to_json(branch.weight)},
                          {"hit", record.hit.has_value()}};
     if (record.hit) {
-        const Object& object = scene.objects[object_of(world, record.hit->primitive)];
-        json["shape"] = words_of(object.shape).name;
-        json["line"] = object.place.line;
+        const std::uint32_t number = object_of(world, record.hit->primitive);
+        const bool is_light = number >= scene.objects.size();
+        json["shape"] = is_light ? "area light" : words_of(scene.objects[number].shape).name;
+        json["line"] = is_light ? scene.area_lights[number - scene.objects.size()].place.line
+                                : scene.objects[number].place.line;
         json["primitive"] = record.hit->primitive;
         json["t"] = to_json(record.hit->t);
         json["point"] = to_json(record.surface.point);
@@ -76,6 +78,11 @@ ordered_json ray_tree(const Scene& scene, int x, int y) {
         throw InputError(
             fmt::format("pixel ({}, {}) is outside the picture of {} × {}", x, y, scene.width, scene.height));
     const World world = compile(scene);
+    if (world.needs.distribution)
+        throw InputError(
+            scene.file +
+            ": each sample of a pixel has its own tree of rays here, because of area lights, motion, "
+            "gloss or translucency: there is no one tree to show");
     const Ray ray = pixel_ray(world.view, x + 0.5, y + 0.5);
     ordered_json rays = ordered_json::array();
     Vec3 color(0);

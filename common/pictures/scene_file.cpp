@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string at_output(const Scene& scene) {
-    return fmt::format("{}:{}:{}: ", scene.file, scene.output_place.line, scene.output_place.column);
+std::string about_output(const Scene& scene, const std::string& what) {
+    return at_place(scene.file, scene.output_place.line, scene.output_place.column, what);
 }
 
 /// Makes the folders of a relative path that does not lead out of the current one.
@@ -31,8 +31,9 @@ void make_folders(const Scene& scene, const fs::path& output) {
         folder.is_relative() && std::find(folder.begin(), folder.end(), "..") == folder.end();
     if (is_below) fs::create_directories(folder, error);
     if (!is_below || error)
-        throw InputError(fmt::format("{}there is no folder '{}'; -o FILE writes the picture elsewhere",
-                                     at_output(scene), folder.string()));
+        throw InputError(about_output(
+            scene,
+            fmt::format("there is no folder '{}'; -o FILE writes the picture elsewhere", folder.string())));
 }
 
 }  // namespace
@@ -60,12 +61,13 @@ fs::path picture_of(const Scene& scene, std::vector<std::string>& warnings) {
     if (scene.output.empty()) return fs::path(scene.file).stem().replace_extension(".png");
     fs::path output = scene.output;
     if (!output.has_filename())
-        throw InputError(fmt::format("{}'{}' names no file; -o FILE says where the picture goes",
-                                     at_output(scene), scene.output));
+        throw InputError(about_output(
+            scene, fmt::format("'{}' names no file; -o FILE says where the picture goes", scene.output)));
     if (!is_picture(output)) {
         output.replace_extension(".png");
-        warnings.push_back(fmt::format("{}pictures are written as .png, .pfm or .hdr: '{}' becomes '{}'",
-                                       at_output(scene), scene.output, output.string()));
+        warnings.push_back(
+            about_output(scene, fmt::format("pictures are written as .png, .pfm or .hdr: '{}' becomes '{}'",
+                                            scene.output, output.string())));
     }
     make_folders(scene, output);
     return output;

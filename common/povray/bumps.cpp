@@ -53,11 +53,11 @@ std::string three(Text text) {
     return text(0) + ", " + text(1) + ", " + text(2);
 }
 
-std::string to_viewer(const Scene& scene) {
-    const Camera& camera = scene.camera;
+std::string to_viewer_text(const Writer& out) {
+    const Camera& camera = out.scene.camera;
     if (camera.projection == Projection::Orthographic) {
-        const Vec3 w = basis_of(camera).w;
-        return three([&](int i) { return number(w[i]); });
+        const Vec3 back = to_viewer(out);
+        return three([&](int i) { return number(back[i]); });
     }
     const auto away = [&](int i) { return fmt::format("({} - {})", number(camera.eye[i]), "xyz"[i]); };
     return three([&](int i) { return fmt::format("{} / Long({})", away(i), three(away)); });
@@ -111,7 +111,7 @@ std::string write_bumps(Writer& out, const Object& object, std::size_t id) {
         return fmt::format("{}Out{}{}(x, y, z)", turn < 0 ? "-" : "", "XYZ"[i], id);
     };
     out.line("#declare Bump{} = function(x, y, z, ax, ay, az) {{ Bump({}, {}, {}, ax, ay, az) }}", id,
-             three(slope), three(outward), to_viewer(scene));
+             three(slope), three(outward), to_viewer_text(out));
     out.line(
         "#declare BumpFrom{0} = function(x, y, z, ax, ay, az) {{ Bump{0}(x - {1} * ax, y - {1} * ay, z - {1} "
         "* az, "

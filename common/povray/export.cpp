@@ -1,6 +1,7 @@
 // A whole scene, statement by statement: settings, camera, lights, textures, objects.
 #include "common/povray/export.hpp"
 
+#include "common/povray/area_lights.hpp"
 #include "common/povray/camera.hpp"
 #include "common/povray/integrators.hpp"
 #include "common/povray/interiors.hpp"
@@ -13,6 +14,7 @@
 #include "common/povray/writer.hpp"
 
 #include <filesystem>
+#include <stdexcept>
 #include <utility>
 
 namespace rt {
@@ -24,18 +26,27 @@ namespace {
 /// POV-Ray's own limit of max_trace_level.
 constexpr int most_trace_levels = 256;
 
-void write_comments(Writer& out) {
-    const Scene& scene = out.scene;
+std::string comments_of(const Scene& scene) {
     const std::filesystem::path file(scene.file);
     const PovrayRun run = povray_run(scene);
-    out.line("// {}, written by `course export`.", file.filename().string());
-    out.line("// povray +I{0}.pov +O{0}.png +W{1} +H{2} +FN16 -D {3} File_Gamma=1.0", file.stem().string(),
-             scene.width * run.scale, scene.height * run.scale,
-             run.options.empty() ? "-A" : fmt::format("{}", fmt::join(run.options, " ")));
+    const std::string options = run.options.empty() ? "-A" : fmt::format("{}", fmt::join(run.options, " "));
+    const std::string frames = run.frames > 1 ? fmt::format(" +KFI0 +KFF{}", run.frames - 1) : "";
+    std::string text = fmt::format("// {}, written by `course export`.\n", file.filename().string());
+    text +=
+        fmt::format("// povray +I{0}.pov +O{0}.png +W{1} +H{2} +FN16 -D {3} File_Gamma=1.0{4}\n",
+                    file.stem().string(), scene.width * run.scale, scene.height * run.scale, options, frames);
     if (run.scale > 1)
-        out.line("// then {0} × {0} of its pixels are one of ours, weighed by our filter", run.scale);
+        text += fmt::format("// then {0} × {0} of its pixels are one of ours, weighed by our filter\n",
+                            run.scale);
+    else if (run.frames > 1)
+        text += fmt::format("// then a pixel's samples are those of {} pictures, weighed by our filter\n",
+                            run.frames);
     else if (run.filter)
-        out.line("// then its pixels are weighed by our filter");
+        text += "// then its pixels are weighed by our filter\n";
+    return text;
+}
+
+void write_factor(Writer& out) {
     if (out.factor != 1)
         out.line("// All lengths are {} times those of the scene: POV-Ray's tolerances are lengths.",
                  number(out.factor));
@@ -53,7 +64,7 @@ void write_settings(Writer& out) {
     out.line("#version 3.7;");
     out.line("global_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout {} }}", levels,
              number(scene.min_contribution));
-    out.line("background {{ {} }}", rgb(expression_of(scene).background(scene)));
+    out.line("background {{ {} }}", rgb(expression_of(scene).background(out)));
     out.line("");
 }
 
@@ -71,17 +82,24 @@ void write_objects(Writer& out) {
         }
     write_sky(out);
     for (const Object& object : scene.objects) out.line("{}", expression.object(scene, object));
+    for (const AreaLightObject& object : scene.area_lights) {
+        if (!expression.area_light)
+            refuse(scene, object,
+                   fmt::format("what the integrator {} shows of it", row_of(scene.integrator).name));
+        out.line("{}{} }}", open_statement(object.light), expression.area_light(scene, object.light));
+    }
 }
 
-}  // namespace
-
-std::string export_povray(const Scene& scene) {
+/// All that the snapshot shows.
+std::string text_of(const Scene& scene, const Snapshot& snapshot) {
     const Expression& expression = expression_of(scene);
-    refuse_other_optics(scene);
-    const Real factor = factor_for(scene);
-    const Scene here = scaled(scene, factor);
-    Writer out{.scene = here, .factor = factor};
-    write_comments(out);
+    const Scene still = still_of(scene, snapshot);
+    refuse_other_optics(still);
+    if (may_bounce(scene)) refuse_other_eye(scene, still);
+    const Real factor = factor_for(still);
+    const Scene here = scaled(still, factor);
+    Writer out{.scene = here, .snapshot = snapshot, .factor = factor};
+    write_factor(out);
     write_settings(out);
     write_camera(out);
     expression.write_lights(out);
@@ -90,6 +108,24 @@ std::string export_povray(const Scene& scene) {
     expression.write_textures(out);
     write_objects(out);
     return std::move(out.text);
+}
+
+}  // namespace
+
+std::string export_povray(const Scene& scene, std::span<const Snapshot> snapshots) {
+    expression_of(scene);  // or there is no use in asking further
+    if (is_blurred(scene)) {
+        if (const std::string_view why = why_no_snapshots(scene); !why.empty()) refuse(scene, why);
+        if (snapshots.size() != static_cast<std::size_t>(scene.sampling.count))
+            throw std::invalid_argument("export_povray: a blurred scene has as many snapshots as samples");
+    }
+    std::string text = comments_of(scene);
+    if (snapshots.size() <= 1)
+        return text + text_of(scene, snapshots.empty() ? Snapshot() : snapshots.front());
+    text += "#version 3.7;\n#switch (frame_number)\n";  // it wants the version before all else
+    for (std::size_t k = 0; k < snapshots.size(); ++k)
+        text += fmt::format("#case ({})\n{}#break\n", k, text_of(scene, snapshots[k]));
+    return text + "#end\n";
 }
 
 }  // namespace rt

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "common/povray/run.hpp"
-#include "common/scene/scene.hpp"
+#include "common/scene/snapshot.hpp"
 
+#include <span>
 #include <string>
 
 namespace rt {
@@ -14,6 +15,9 @@ namespace rt {
 /// Numbers are written so that reading them gives back the same double. Where things are smaller than 0.01 or
 /// farther than 1e4, all lengths are multiplied by a power of two, because POV-Ray's tolerances are lengths.
 /// Throws InputError with the object's `file:line:column` and the reason for what POV-Ray cannot express.
-std::string export_povray(const Scene& scene);
+///
+/// `snapshots`: those of a blurred scene (snapshots_of in common/render/snapshots.hpp), as many as it has
+/// samples if its pixels share them; else none. Several become the frames of an animation.
+std::string export_povray(const Scene& scene, std::span<const Snapshot> snapshots = {});
 
 }  // namespace rt

@@ -17,7 +17,7 @@
 namespace rt::povray {
 namespace {
 
-Vec3 scene_background(const Scene& scene) { return scene.background; }
+Vec3 scene_background(const Writer& out) { return out.scene.background; }
 
 void write_nothing(Writer&) {}
 
@@ -35,6 +35,19 @@ std::string lit_object(const Scene& scene, const Object& object) {
 
 std::string flat_object(const Scene& scene, const Object& object) {
     return textured(scene, object, texture_name(scene, object)) + " }";
+}
+
+constexpr std::string_view glow =
+    " texture {{ pigment {{ {} }} finish {{ ambient 0 diffuse 0 emission 1 }} }}";
+
+std::string lit_area_light(const Scene& scene, const AreaLight& light) {
+    return fmt::format(glow, rgb(light.radiance)) +
+           " interior_texture { pigment { rgb 0 } finish { ambient 0 diffuse 0 } }" +
+           (scene.shadows ? "" : " no_shadow");
+}
+
+std::string flat_area_light(const Scene&, const AreaLight& light) {
+    return fmt::format(glow, rgb(light.radiance));
 }
 
 // normals; scan conversion draws the same picture -----------------------------------------------------------
@@ -70,12 +83,14 @@ std::string normal_object(const Scene& scene, const Object& object) {
     return textured(scene, object, normal_name(scene, object)) + " }";
 }
 
+std::string normal_area_light(const Scene&, const AreaLight&) { return " texture { Normal }"; }
+
 // directions: the inside of a sphere around the eye has the normal −d, turned to the viewer -----------------
 
 /// In an orthographic view all directions are the same, and a background shows them.
 bool has_one_direction(const Scene& scene) { return scene.camera.projection == Projection::Orthographic; }
 
-Vec3 direction_background(const Scene& scene) { return 0.5 * (Vec3(1) - basis_of(scene.camera).w); }
+Vec3 direction_background(const Writer& out) { return 0.5 * (Vec3(1) - to_viewer(out)); }
 
 void write_inward_lights(Writer& out) {
     if (!has_one_direction(out.scene)) write_normal_lights(out, -1);
@@ -128,11 +143,13 @@ std::string uv_object(const Scene& scene, const Object& object) {
 }
 
 constexpr Expression expressions[] = {
-    {Integrator::Raytrace, scene_background, write_lights, write_materials, lit_object},
-    {Integrator::Flat, scene_background, write_nothing, write_flat_materials, flat_object},
-    {Integrator::Directions, direction_background, write_inward_lights, write_direction_sphere, nullptr},
-    {Integrator::Normals, scene_background, write_outward_lights, write_normal_textures, normal_object},
-    {Integrator::Uv, scene_background, write_nothing, write_uv_textures, uv_object},
+    {Integrator::Raytrace, scene_background, write_lights, write_materials, lit_object, lit_area_light},
+    {Integrator::Flat, scene_background, write_nothing, write_flat_materials, flat_object, flat_area_light},
+    {Integrator::Directions, direction_background, write_inward_lights, write_direction_sphere, nullptr,
+     nullptr},
+    {Integrator::Normals, scene_background, write_outward_lights, write_normal_textures, normal_object,
+     normal_area_light},
+    {Integrator::Uv, scene_background, write_nothing, write_uv_textures, uv_object, nullptr},
 };
 
 }  // namespace

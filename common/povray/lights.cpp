@@ -1,6 +1,7 @@
 // POV-Ray's lights fade by one power of the distance; ours are put together from them.
 #include "common/povray/lights.hpp"
 
+#include "common/povray/area_lights.hpp"
 #include "common/povray/refuse.hpp"
 
 #include <algorithm>
@@ -68,6 +69,7 @@ void write_light(Writer& out, const DirectionalLight& light, std::size_t) {
 void write_lights(Writer& out) {
     for (std::size_t i = 0; i < out.scene.lights.size(); ++i)
         std::visit([&](const auto& light) { write_light(out, light, i); }, out.scene.lights[i]);
+    write_facing_lights(out);
 }
 
 void write_normal_lights(Writer& out, Real sign) {

@@ -40,7 +40,7 @@ struct Terms {
 };
 
 Terms terms_of(const Scene& scene, const Material& m) {
-    const bool lit = !scene.lights.empty();
+    const bool lit = has_lights(scene);
     const bool highlight = lit && !is_black(m.specular), filtered = highlight && !is_grey(m.specular);
     return {.diffuse = lit && !is_black(m.diffuse),
             .skylight = has_skylight(scene) && !is_black(m.diffuse),

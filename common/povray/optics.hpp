@@ -14,6 +14,9 @@ inline const Material& material_of(const Scene& scene, const Object& object) {
     return scene.materials[object.material];
 }
 
+/// Whether there are lights, of whatever extent.
+inline bool has_lights(const Scene& scene) { return !scene.lights.empty() || !scene.area_lights.empty(); }
+
 /// Whether rays go on wherever a material sends them.
 bool may_bounce(const Scene& scene);
 

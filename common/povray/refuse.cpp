@@ -6,6 +6,7 @@
 #include "common/povray/camera.hpp"
 #include "common/povray/optics.hpp"
 #include "common/povray/placement.hpp"
+#include "common/scene/cut_open.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +24,9 @@ bool is_lit(const Scene& scene) {
     const auto shines = [](const Light& light) {
         return std::visit([](const auto& one) { return !is_black(one.color); }, light);
     };
-    return std::ranges::any_of(scene.lights, shines) && std::ranges::any_of(scene.objects, reflects);
+    const auto glows = [](const AreaLightObject& object) { return !is_black(object.light.radiance); };
+    return (std::ranges::any_of(scene.lights, shines) || std::ranges::any_of(scene.area_lights, glows)) &&
+           std::ranges::any_of(scene.objects, reflects);
 }
 
 /// Whether some, but not all, of the rays of an orthographic view may begin inside the object.
@@ -74,7 +77,7 @@ void refuse_weights(const Scene& scene, const Object& object) {
 
 void refuse_material(const Scene& scene, const Object& object) {
     const Material& m = material_of(scene, object);
-    if (!scene.lights.empty() && !is_grey(m.specular)) {
+    if (has_lights(scene) && !is_grey(m.specular)) {
         if (m.fresnel != Fresnel::None)
             refuse(scene, object, "a transparent material with fresnel and a coloured highlight");
         for (int i = 0; i < 3; ++i)
@@ -92,6 +95,7 @@ void refuse_material(const Scene& scene, const Object& object) {
 }
 
 void refuse_glass_shape(const Scene& scene, const Object& object) {
+    if (cut_open(object.shape)) refuse(scene, object, "a transparent surface that its box cuts open");
     if (!words_of(object.shape).has_inside)
         refuse(scene, object, "a transparent object without an inside; put its faces into one `mesh`");
     const auto* shown = std::get_if<MeshObject>(&object.shape);
@@ -108,6 +112,13 @@ void refuse_bumps(const Scene& scene, const Object& object) {
         refuse(scene, object, "bumps that may be seen from behind, where it makes dents of them");
     if (has_bounces(scene))
         refuse(scene, object, "bumps that a mirror or glass may show: they lean as the eye sees them");
+}
+
+/// Of the finish, what the integrator looks at.
+void refuse_finish(const Scene& scene, const Object& object, const Finish& finish) {
+    if (finish.kind != FinishKind::Plain) refuse(scene, object, "a finish, whose lobe it does not have");
+    if (has_bounces(scene) && (finish.gloss > 0 || finish.translucency > 0))
+        refuse(scene, object, "mirrored or refracted rays that spread in a lobe");
 }
 
 void refuse_texturing(const Scene& scene, const Object& object) {
@@ -132,8 +143,13 @@ void refuse_texturing(const Scene& scene, const Object& object) {
 }  // namespace
 
 void refuse(const Scene& scene, const Object& object, std::string_view why) {
-    throw InputError(fmt::format("{}:{}:{}: POV-Ray cannot express this object: {}", scene.file,
-                                 object.place.line, object.place.column, why));
+    throw InputError(at_place(scene.file, object.place.line, object.place.column,
+                              fmt::format("POV-Ray cannot express this object: {}", why)));
+}
+
+void refuse(const Scene& scene, const AreaLightObject& light, std::string_view why) {
+    throw InputError(fmt::format("{}:{}:{}: POV-Ray cannot express this light: {}", scene.file,
+                                 light.place.line, light.place.column, why));
 }
 
 void refuse(const Scene& scene, std::string_view why) {
@@ -148,16 +164,28 @@ void refuse_other_optics(const Scene& scene) {
         if ((integrator.lights || integrator.normals) && bumps_of(scene, material_of(scene, object)))
             refuse_bumps(scene, object);
         if (integrator.lights && material_of(scene, object).finish >= 0)
-            refuse(scene, object, "a finish, whose lobe it does not have");
+            refuse_finish(scene, object,
+                          scene.finishes[static_cast<std::size_t>(material_of(scene, object).finish)]);
         if (may_bounce(scene)) refuse_weights(scene, object);
         if (!is_glass(scene, object)) continue;
         refuse_material(scene, object);
         refuse_glass_shape(scene, object);
     }
+    if (integrator.area_lights && !scene.area_lights.empty() && has_bounces(scene))
+        refuse(scene, scene.area_lights.front(),
+               "an extent in a scene with bounces, each of which has points of its own: say 'maxdepth 0'");
     if (scene.sky && absorbs(scene)) refuse(scene, "absorption under a sky of more than one colour");
     if (!may_bounce(scene)) return;
     refuse_nested_fresnel(scene);
     refuse_partly_inside(scene);
+}
+
+void refuse_other_eye(const Scene& scene, const Scene& still) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        if (is_glass(scene, scene.objects[i]) &&
+            surrounds_eye(scene, scene.objects[i]) != surrounds_eye(still, still.objects[i]))
+            refuse(scene, scene.objects[i],
+                   "transparent, and a part of the lens, or the eye at some time, is on its other side");
 }
 
 }  // namespace rt::povray

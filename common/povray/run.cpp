@@ -1,6 +1,8 @@
 // POV-Ray's options that take the samples of a scene's sampler.
 #include "common/povray/run.hpp"
 
+#include "common/scene/snapshot.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -22,6 +24,8 @@ PovrayRun povray_run(const Scene& scene) {
     const int count = sampling.count;
     if (scene.visibility == Visibility::Rasterize) return {};
     if (count == 1) return {1, {}, !box, true};
+    if (is_blurred(scene) && why_no_snapshots(scene).empty())
+        return {.options = {}, .filter = true, .frames = count};
     switch (sampling.sampler) {
         case Sampler::Regular:
             if (const int side = root_of(count); side * side == count) return {side, {}, true, true};
@@ -39,6 +43,7 @@ PovrayRun povray_run(const Scene& scene) {
         case Sampler::Random:
         case Sampler::Jittered:
         case Sampler::Poisson:
+        case Sampler::Sobol:
             break;
     }
     return {8, antialiasing(1, 2), true, false};

@@ -1,6 +1,7 @@
 // All lengths of a scene, and what it takes to multiply them.
 #include "common/povray/scaling.hpp"
 
+#include "common/povray/area_lights.hpp"
 #include "common/povray/placement.hpp"
 #include "common/povray/refuse.hpp"
 
@@ -34,6 +35,10 @@ Lengths lengths_of(const Scene& scene) {
         const Real least = least_length_of(scene, object, m);
         if (least > 0) lengths.least = std::min(lengths.least, least);
     }
+    for (const AreaLightObject& object : scene.area_lights) {
+        lengths.greatest = std::max(lengths.greatest, reach_of(object.light, scene.camera.eye));
+        lengths.least = std::min(lengths.least, least_length_of(object.light));
+    }
     if (row_of(scene.integrator).lights)
         for (const Light& light : scene.lights)
             if (const auto* point = std::get_if<PointLight>(&light))
@@ -50,6 +55,7 @@ Real factor_for(Real size) {
 /// Multiplies all lengths of the scene.
 void scale_world(Scene& scene, Real factor) {
     scene.camera.eye *= factor, scene.camera.look_at *= factor, scene.camera.view_height *= factor;
+    scene.camera_motion *= factor, scene.lens.radius *= factor, scene.lens.distance *= factor;
     for (Mesh& mesh : scene.meshes)
         for (Vec3& p : mesh.positions) p *= factor;
     for (Material& m : scene.materials) m.checker.size *= factor, m.absorption /= factor;
@@ -59,8 +65,9 @@ void scale_world(Scene& scene, Real factor) {
     }
     for (TransformNode& node : scene.transforms)
         if (auto* move = std::get_if<Translate>(&node.step)) move->by *= factor;
-    for (Object& object : scene.objects) scale(scene, object, factor);
+    for (Object& object : scene.objects) scale(scene, object, factor), object.motion *= factor;
     for (Object& part : scene.parts) scale(scene, part, factor);
+    for (AreaLightObject& object : scene.area_lights) scale(object.light, factor);
     for (Light& light : scene.lights)
         if (auto* point = std::get_if<PointLight>(&light)) {
             point->position *= factor;

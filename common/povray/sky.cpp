@@ -26,7 +26,7 @@ void write_pigment(Writer& out, const ConstantSky& sky) {
 void write_pigment(Writer& out, const ImageSky& sky) {
     const Lookup lookup = lookup_of(out.scene, sky);
     write_lookup(out, lookup);
-    const Real c = std::cos(radians(sky.turn)), s = std::sin(radians(sky.turn));
+    const auto [c, s] = sky.turn;
     out.line("#declare SkyX = function {{ {} * x - {} * z }}", number(c), number(s));
     out.line("#declare SkyZ = function {{ {} * x + {} * z }}", number(s), number(c));
     if (sky.map == SkyMap::LatitudeLongitude) {

@@ -1,7 +1,7 @@
 // Text in POV-Ray's language: numbers, vectors and colours, and the lines that are made of them.
 #pragma once
 
-#include "common/scene/scene.hpp"
+#include "common/scene/snapshot.hpp"
 
 #include <fmt/format.h>
 
@@ -23,10 +23,12 @@ std::string triple(const Vec3& v);
 /// `rgb <r, g, b>`, or `rgb x` of a grey.
 std::string rgb(const Vec3& c);
 
-/// The text so far, and the scene that it is about.
+/// The text so far, and the still scene that it is about. The eye is where the snapshot has it, at its time
+/// and on the lens.
 struct Writer {
     const Scene& scene;
-    Real factor;  ///< of all its lengths to what the author wrote
+    const Snapshot& snapshot;
+    Real factor;  ///< of all the scene's lengths to what the author wrote, and so to the snapshot's
     std::string text{};
 
     template <class... Args>

@@ -18,7 +18,7 @@ std::vector<Real> deviations_by(SampledPicture& picture, int pilot) {
         std::vector<Vec3> colors;
         each_pixel(picture.tiles[i], [&](int x, int y) {
             const std::size_t pixel = picture.index(x, y);
-            Stream stream = stream_of(picture.world, x, y, pilot_pass);
+            Stream stream = stream_of(picture.world, {Sampler::Random, pilot}, x, y, pilot_pass, pilot);
             colors.clear();
             for (const PixelSample& sample : random_samples(pilot, random_for(seed, pixel, pilot_pass))) {
                 colors.push_back(color_at(picture, x, y, sample.at, stream));

@@ -1,7 +1,8 @@
 // Which transparent faces of a scene, each an object of its own, enclose a body together.
 #include "common/render/bodies.hpp"
 
-#include "common/math/input_error.hpp"
+#include "common/render/object_limits.hpp"
+#include "common/scene/cut_open.hpp"
 
 #include <fmt/core.h>
 
@@ -96,14 +97,26 @@ std::uint32_t first_of(std::vector<std::uint32_t>& of, std::uint32_t object) {
     return object;
 }
 
+std::string why_no_body(const FileShape& shape) {
+    if (const std::optional<Vec3> opening = cut_open(shape))
+        return fmt::format(
+            "a transparent {} that its box cuts open: at {} {} {}, on a face, is its inside; make the box "
+            "larger, or close it by an `intersection` with a `box`",
+            words_of(shape).name, opening->x, opening->y, opening->z);
+    return "a transparent object without an inside: with the faces that share corners, material and "
+           "transform "
+           "with it, it does not enclose one; put all its faces into one `mesh`";
+}
+
 }  // namespace
 
 Bodies bodies_of(const Scene& scene, bool refraction) {
     Bodies bodies;
-    const auto is_transparent_face = [&](const Object& object) {
-        return scene.materials[object.material].transmission != Vec3(0) && !words_of(object.shape).has_inside;
-    };
-    if (std::none_of(scene.objects.begin(), scene.objects.end(), is_transparent_face)) return bodies;
+    std::vector<bool> is_transparent_face;
+    for (const Object& object : scene.objects)
+        is_transparent_face.push_back(scene.materials[object.material].transmission != Vec3(0) &&
+                                      !has_inside(object.shape));
+    if (std::ranges::find(is_transparent_face, true) == is_transparent_face.end()) return bodies;
     std::vector<std::uint32_t>& of = bodies.of;
     of.resize(scene.objects.size());
     const std::vector<Side> sides = sides_of(scene);
@@ -131,14 +144,10 @@ Bodies bodies_of(const Scene& scene, bool refraction) {
     for (std::uint32_t i = 0; i < of.size(); ++i) {
         const Object& object = scene.objects[i];
         const Material& material = scene.materials[object.material];
-        const bool is_sheet = is_transparent_face(object) && of[i] == i && (is_open[i] || !is_face[i]);
+        const bool is_sheet = is_transparent_face[i] && of[i] == i && (is_open[i] || !is_face[i]);
         if (!is_sheet) continue;
         if (refraction && (material.ior != 1 || material.absorption != Vec3(0)))
-            throw InputError(fmt::format(
-                "{}:{}:{}: a transparent object without an inside: with the faces that share corners, "
-                "material "
-                "and transform with it, it does not enclose one; put all its faces into one `mesh`",
-                scene.file, object.place.line, object.place.column));
+            refuse(scene, object.place, why_no_body(object.shape));
         bodies.sheets.push_back(i);
     }
     return bodies;

@@ -19,7 +19,8 @@ struct Bodies {
 /// the same material and the same transform, and no third face there but in pairs. Together they have an
 /// inside if every edge is met an even number of times; if not, they are a sheet that only filters light,
 /// which needs the index of refraction 1 and no absorption. Two faces with the same corners are two sheets in
-/// one place and are not joined.
+/// one place and are not joined. A surface that its box cuts open (common/scene/cut_open.hpp) is a sheet,
+/// too.
 ///
 /// Throws InputError with the place of a face for a sheet of another material, where `refraction` says that
 /// rays go through things.

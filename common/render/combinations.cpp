@@ -163,6 +163,10 @@ std::int32_t join(Combination& tree, SetOperation operation, std::span<const std
 
 Real crossings_of(const Instance& instance) { return elements_of(instance); }
 
+Real crossings_of(const Moving& moving) {
+    return std::visit([](const auto& shape) { return crossings_of(shape); }, moving.shape);
+}
+
 Real crossings_of(const Combination& tree) {
     Real sum = 0;
     for (const Combination::Part& part : tree.parts)

@@ -28,5 +28,6 @@ Real crossings_of(const Shape&) {
 }
 Real crossings_of(const Instance& instance);
 Real crossings_of(const Combination& tree);
+Real crossings_of(const Moving& moving);
 
 }  // namespace rt

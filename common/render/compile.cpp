@@ -5,6 +5,7 @@
 #include "chapters/11_textures/harmonics.hpp"
 #include "chapters/11_textures/mip_map.hpp"
 #include "common/render/accelerate.hpp"
+#include "common/render/area_lights.hpp"
 #include "common/render/combinations.hpp"
 #include "common/render/eye_inside.hpp"
 #include "common/render/object_limits.hpp"
@@ -41,8 +42,13 @@ View view_of(const Scene& scene) {
 
 void compile_materials(const Scene& scene, World& world) {
     world.materials = scene.materials;
+    for (const AreaLightObject& object : scene.area_lights) {
+        Material shining;
+        shining.ambient = Vec3(0), shining.emission = object.light.radiance;
+        world.materials.push_back(shining);
+    }
     if (!row_of(scene.integrator).materials) return;
-    world.patterns.resize(scene.materials.size());
+    world.patterns.resize(world.materials.size());
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         const Checker& checker = scene.materials[i].checker;
         if (checker.even == Vec3(1) && checker.odd == Vec3(1)) continue;
@@ -70,7 +76,7 @@ void compile_textures(const Scene& scene, World& world) {
         const Texturing& from = scene.texturings[static_cast<std::size_t>(number)];
         if (integrator.materials && (from.picture || from.pattern)) {
             world.needs.textures = true;
-            world.textures.resize(scene.materials.size());
+            world.textures.resize(world.materials.size());
             MaterialTexture& texture = world.textures[i];
             texture.pattern = from.pattern, texture.colors = from.colors;
             if (from.picture) {
@@ -87,7 +93,7 @@ void compile_textures(const Scene& scene, World& world) {
         }
         if ((integrator.lights || integrator.normals) && from.bumps.height != 0) {
             world.needs.bumps = true;
-            world.bumps.resize(scene.materials.size());
+            world.bumps.resize(world.materials.size());
             world.bumps[i] = from.bumps;
         }
     }
@@ -115,19 +121,56 @@ void compile_lights(const Scene& scene, World& world) {
     }
 }
 
+/// What camera rays need besides a place of the picture.
+void compile_camera(const Scene& scene, World& world) {
+    world.blur.lens = scene.lens, world.blur.shutter = scene.shutter, world.blur.motion = scene.camera_motion;
+    Needs& needs = world.needs;
+    needs.lens = scene.lens.radius > 0;
+    const auto moves = [](const Object& object) { return !is_zero(object.motion); };
+    needs.motion = !is_zero(scene.camera_motion) ||
+                   (row_of(scene.integrator).objects && std::ranges::any_of(scene.objects, moves));
+    needs.blur = needs.lens || needs.motion;
+}
+
+/// What rays draw random numbers for once they have left the camera.
+void derive_distribution(const Scene& scene, World& world) {
+    Needs& needs = world.needs;
+    needs.area_lights = !world.area_lights.lights.empty();
+    if (needs.area_lights) {
+        world.area_lights.samples = scene.light_samples;
+        if (!scene.light_samples.all) world.area_lights.chances = chances_of(world.area_lights.lights);
+    }
+    const auto is_glossy = [&](const Object& object) {
+        const std::int32_t finish = scene.materials[object.material].finish;
+        if (finish < 0) return false;
+        const Finish& of = scene.finishes[static_cast<std::size_t>(finish)];
+        return (needs.reflection && of.gloss > 0) || (needs.refraction && of.translucency > 0);
+    };
+    needs.gloss = std::ranges::any_of(scene.objects, is_glossy);
+    if (needs.gloss || scene.integrator == Integrator::Direct) world.finishes = scene.finishes;
+    needs.distribution = needs.area_lights || needs.gloss || needs.motion;
+}
+
 void derive_needs(const Scene& scene, World& world) {
     Needs& needs = world.needs;
+    if (row_of(scene.integrator).area_lights)
+        for (const AreaLightObject& object : scene.area_lights)
+            world.area_lights.lights.push_back(object.light);
     const auto any = [&](auto has) {
         return std::any_of(world.materials.begin(), world.materials.end(), has);
     };
     const IntegratorRow& integrator = row_of(scene.integrator);
     if (integrator.lights) {
         compile_lights(scene, world);
-        needs.lights = !world.point_lights.empty() || !world.directional_lights.empty();
+        needs.lights = !world.point_lights.empty() || !world.directional_lights.empty() ||
+                       !world.area_lights.lights.empty();
         needs.highlights = needs.lights && any([](const Material& m) { return !is_zero(m.specular); });
         needs.shadows = needs.lights && scene.shadows;
         needs.finishes =
-            needs.lights && any([](const Material& m) { return m.finish >= 0 && !is_zero(m.diffuse); });
+            needs.lights && any([&](const Material& m) {
+                return m.finish >= 0 && !is_zero(m.diffuse) &&
+                       scene.finishes[static_cast<std::size_t>(m.finish)].kind != FinishKind::Plain;
+            });
         if (needs.finishes) world.finishes = scene.finishes;
         needs.colored_shadows =
             needs.shadows && any([](const Material& m) { return !is_zero(m.transmission); });
@@ -152,6 +195,7 @@ void derive_needs(const Scene& scene, World& world) {
         (integrator.normals || needs.lights || needs.skylight || needs.reflection || needs.refraction) &&
         (std::ranges::any_of(scene.objects, is_smooth) || std::ranges::any_of(scene.parts, is_smooth));
     if (integrator.uvs) needs.uvs = true;
+    derive_distribution(scene, world);
 }
 
 /// The greatest number that the texture of a material multiplies what mirrors or transmits by; at least 1.
@@ -221,14 +265,16 @@ World compile(const Scene& scene) {
     const Filter& filter = scene.sampling.filter;
     const bool own_samples = filter.kind == FilterKind::Box && filter.radius == 0.5;
     // Scan conversion finds what is at the pixels' centres.
-    world.needs.samples =
-        scene.visibility != Visibility::Rasterize && (scene.sampling.count > 1 || !own_samples);
+    compile_camera(scene, world);
+    world.needs.samples = scene.visibility != Visibility::Rasterize &&
+                          (scene.sampling.count > 1 || !own_samples || world.needs.blur);
     if (scene.visibility == Visibility::Rasterize) check_rasterized(scene);
     if (!row_of(scene.integrator).objects) return world;
     compile_materials(scene, world);
     compile_textures(scene, world);
     compile_sky(scene, world);
     derive_needs(scene, world);
+    if (world.needs.distribution && scene.visibility != Visibility::Rasterize) world.needs.samples = true;
     add_primitives(scene, world);
     check_growth_of_light(scene, world);
     add_accelerators(scene, world);

@@ -40,7 +40,8 @@ std::set<const Image*> pictures_of(const World& world) {
 std::size_t bytes_of(const World& world) {
     std::size_t sum =
         bytes_of(world.primitives, world.materials, world.patterns, world.textures, world.bumps,
-                 world.finishes, world.point_lights, world.directional_lights, world.faces, world.sheets);
+                 world.finishes, world.point_lights, world.directional_lights, world.faces, world.sheets,
+                 world.area_lights.lights, world.area_lights.chances, world.area_lights.of);
     for (const AnyGroup& any : world.groups)
         sum += std::visit([](const auto& group) { return bytes_of(group); }, any);
     for (const auto& mesh : world.meshes) sum += bytes_of(mesh->triangles);
@@ -117,6 +118,8 @@ void explain_groups(const Scene& scene, const World& world, Explanation& explana
 }
 
 void explain_lights(const Scene& scene, const World& world, Explanation& explanation) {
+    const std::size_t area = world.area_lights.lights.size();
+    if (area > 0) explanation.kept.push_back({counted(area, "area light"), "also to be seen"});
     const std::size_t kept = world.point_lights.size() + world.directional_lights.size();
     if (kept > 0) explanation.kept.push_back({counted(kept, "light"), "they reach some material"});
     if (kept == scene.lights.size()) return;
@@ -166,10 +169,19 @@ void explain_features(const Scene& scene, const World& world, Explanation& expla
     sort.feature(needs.refraction, "refracted rays", "some material transmits",
                  "no material transmits, or no bounce is allowed");
     sort.feature(needs.absorption, "absorption", "some material absorbs inside", "no medium absorbs");
+    sort.feature(needs.lens, "a lens", "the scene says 'lens'", "the camera is a pinhole");
+    sort.feature(needs.motion, "a time for each ray", "something moves while the shutter is open",
+                 "nothing moves");
+    sort.feature(needs.area_lights, "points of area lights", "some light has an extent",
+                 "no light has an extent, or nothing asks for it");
+    sort.feature(needs.gloss, "spread rays", "some material is glossy or translucent",
+                 "every mirrored and refracted ray has one direction");
     if (needs.samples)
         explanation.kept.push_back(
-            {fmt::format("{} samples a pixel", world.sampling.count),
-             world.sampling.count > 1 ? "the scene says 'spp'" : "its filter is wider than a pixel"});
+            {counted(static_cast<std::size_t>(world.sampling.count), "sample a pixel", "samples a pixel"),
+             world.sampling.count > 1           ? "the scene says 'spp'"
+             : needs.blur || needs.distribution ? "something is random about it"
+                                                : "its filter is wider than a pixel"});
     else
         explanation.left_out.push_back({"random numbers", world.visibility == Visibility::Rasterize
                                                               ? "scan conversion looks at the pixels' centres"
@@ -194,6 +206,9 @@ std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
                         for (const Combination::Part& part : tree.parts)
                             std::visit([&]<class Part>(const Part&) { add_chapters<Part>(chapters); },
                                        part.solid);
+                if constexpr (std::is_same_v<Shape, Moving>)
+                    for (const Moving& moving : group.shapes)
+                        std::visit([&]<class One>(const One&) { add_chapters<One>(chapters); }, moving.shape);
             },
             any);
     if (is_transformed(scene) && !world.groups.empty()) chapters.emplace_back("04");
@@ -204,6 +219,8 @@ std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
     if (recursion) chapters.emplace_back("07");
     if (needs.samples) chapters.emplace_back("08");
     if (needs.textures || needs.bumps || needs.sky || needs.finishes) chapters.emplace_back("11");
+    if (needs.blur || needs.distribution || world.sampling.sampler == Sampler::Sobol)
+        chapters.emplace_back("12");
     // An accelerator that the scene does not ask for is a matter of time only.
     for (const AcceleratorWord& word : accelerator_words)
         if (needs.accelerators && word.value == scene.accelerator && !word.chapter.empty())

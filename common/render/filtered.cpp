@@ -1,7 +1,6 @@
 // The tree of rays with ray differentials. What chapter 11 says of one ray is put together here.
 #include "common/render/filtered.hpp"
 
-#include "chapters/07_recursion/optics.hpp"
 #include "chapters/07_recursion/radiance.hpp"
 #include "chapters/11_textures/differential.hpp"
 #include "common/render/groups.hpp"
@@ -88,6 +87,26 @@ RayDifferential camera_ray_differential(const World& world, const Ray& ray) {
     return change;
 }
 
+/// What a bundle of rays meets.
+struct Arrival {
+    Surface surface;
+    RayDifferential change;  ///< on the surface
+    Real curvature = 0;      ///< as of a Patch
+    Material material;       ///< its texture averaged over what is seen of it
+};
+
+Arrival arrival(const World& world, const Ray& ray, const RayDifferential& change, const Hit& hit) {
+    Arrival at{surface_at(world, ray, hit), {}, 0, {}};
+    const Patch patch = patch_at(world, hit, at.surface);
+    at.change = transferred(change, ray, hit.t, at.surface.normal);
+    at.curvature = patch.curvature;
+    const Footprint seen =
+        footprint(patch.texture.du, patch.texture.dv, at.change.origin_dx, at.change.origin_dy);
+    at.material = world.materials[material_index(world, hit, at.surface)];
+    apply_texture(world, hit, at.surface, &seen, at.material);
+    return at;
+}
+
 /// A ray of the tree and its differential.
 struct Bundle {
     Branch branch;
@@ -95,32 +114,13 @@ struct Bundle {
 };
 
 /// The differential of a ray that `scatter` has sent on.
-RayDifferential sent_on(const World& world, const Bundle& bundle, const Branch& next, const Surface& surface,
-                        const RayDifferential& at_surface, Real curvature) {
-    const Vec3& d = bundle.branch.ray.direction;
-    const bool turns = dot(surface.normal, d) > 0;
-    const Vec3 n = turned_to_viewer(surface.shading_normal, d);
-    const NormalChange change = normal_change(at_surface, n, turns ? -curvature : curvature);
-    if (next.kind == RayKind::Reflection) return reflected(at_surface, d, n, change);
-    const auto ior = [&](const Media& media) {
-        const Material* around = material_around(world, media);
-        return around ? around->ior : 1;
-    };
-    return refracted(at_surface, d, n, change, ior(bundle.branch.media) / ior(next.media));
-}
-
-/// As `material_at`, with the texture averaged over what is seen of it.
-Material textured_material(const World& world, const Hit& hit, const Surface& surface,
-                           const Footprint& seen) {
-    Material material = world.materials[material_index(world, hit, surface)];
-    apply_texture(world, hit, surface, &seen, material);
-    return material;
-}
-
-/// What is left of light after `distance` in the medium around the ray.
-Vec3 left_after(const World& world, const Media& media, Real distance) {
-    const Material* around = material_around(world, media);
-    return around ? transmitted(around->absorption, distance) : Vec3(1);
+RayDifferential sent_on(const World& world, const Branch& incoming, const Branch& next, const Arrival& at) {
+    const Vec3& d = incoming.ray.direction;
+    const bool turns = dot(at.surface.normal, d) > 0;
+    const Vec3 n = turned_to_viewer(at.surface.shading_normal, d);
+    const NormalChange change = normal_change(at.change, n, turns ? -at.curvature : at.curvature);
+    if (next.kind == RayKind::Reflection) return reflected(at.change, d, n, change);
+    return refracted(at.change, d, n, change, ior(world, incoming.media) / ior(world, next.media));
 }
 
 }  // namespace
@@ -141,19 +141,14 @@ Vec3 filtered_radiance(const World& world, const Ray& ray, Stream&) {
             sum += branch.weight * background(world, branch.ray.direction);
             continue;
         }
-        const Surface surface = surface_at(world, branch.ray, *hit);
-        const Patch patch = patch_at(world, *hit, surface);
-        const RayDifferential at_surface = transferred(bundle.change, branch.ray, hit->t, surface.normal);
-        const Footprint seen =
-            footprint(patch.texture.du, patch.texture.dv, at_surface.origin_dx, at_surface.origin_dy);
-        const Material material = textured_material(world, *hit, surface, seen);
-        const Vec3 n = turned_to_viewer(surface.shading_normal, branch.ray.direction);
-        sum += branch.weight * local_light(world, surface, material, n, -branch.ray.direction);
-        const Branches next = scatter(world, branch, *hit, surface, material);
+        const Arrival at = arrival(world, branch.ray, bundle.change, *hit);
+        const Vec3 n = turned_to_viewer(at.surface.shading_normal, branch.ray.direction);
+        sum += branch.weight * local_light(world, at.surface, at.material, n, -branch.ray.direction);
+        const Branches next = scatter(world, branch, *hit, at.surface, at.material);
         for (int i = next.count - 1; i >= 0; --i) {
             const Branch& one = next.branch[static_cast<std::size_t>(i)];
             ++(one.kind == RayKind::Reflection ? ray_counts().reflection : ray_counts().refraction);
-            stack.push_back({one, sent_on(world, bundle, one, surface, at_surface, patch.curvature)});
+            stack.push_back({one, sent_on(world, branch, one, at)});
         }
     }
     return sum;
@@ -162,13 +157,7 @@ Vec3 filtered_radiance(const World& world, const Ray& ray, Stream&) {
 Vec3 filtered_own_light(const World& world, const Ray& ray, Stream&) {
     const std::optional<Hit> hit = closest_hit(world, ray, {0, infinity});
     if (!hit) return background(world, ray.direction);
-    const Surface surface = surface_at(world, ray, *hit);
-    const Patch patch = patch_at(world, *hit, surface);
-    const RayDifferential at_surface =
-        transferred(camera_ray_differential(world, ray), ray, hit->t, surface.normal);
-    const Material material = textured_material(
-        world, *hit, surface,
-        footprint(patch.texture.du, patch.texture.dv, at_surface.origin_dx, at_surface.origin_dy));
+    const Material material = arrival(world, ray, camera_ray_differential(world, ray), *hit).material;
     return material.ambient + material.emission;
 }
 

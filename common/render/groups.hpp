@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/contracts.hpp"  // all of them; made by the build
+#include "common/render/moving.hpp"
 #include "common/world/query.hpp"
 
 #include <vector>
@@ -100,7 +101,10 @@ inline constexpr bool has_uv<MeshUse> = true;
 
 template <class Shape>
 Vec2 uv_at(const Shape& shape, const Vec3& point, std::uint32_t element) {
-    return texture_point(shape, point, element).uv;
+    if constexpr (requires { texture_uv(shape, point, element); })
+        return texture_uv(shape, point, element);
+    else
+        return texture_point(shape, point, element).uv;
 }
 template <class Shape>
 Vec2 uv_at(const Placed<Shape>& placed, const Vec3& point, std::uint32_t element) {
@@ -124,6 +128,11 @@ inline Surface surface_in(const World&, const Group<Triangle>& group, std::uint3
         surface.shading_normal = interpolate(group.normals[index], hit.uv, surface.normal);
     if (!group.uvs.empty()) surface.uv = interpolate(group.uvs[index], hit.uv);
     return surface;
+}
+
+inline Surface surface_in(const World& world, const Group<Moving>& group, std::uint32_t index, const Ray& ray,
+                          const Hit& hit) {
+    return surface_at(group.shapes[index], ray, hit, world.needs.uvs);
 }
 
 /// The group of a world that has no other; it must be of this shape. It holds all the primitives in the order

@@ -3,6 +3,8 @@
 #include "common/render/integrators.hpp"
 
 #include "chapters/07_recursion/radiance.hpp"
+#include "chapters/12_distribution/distributed.hpp"
+#include "common/render/direct.hpp"
 #include "common/render/filtered.hpp"
 #include "common/render/groups.hpp"
 #include "common/render/lights.hpp"
@@ -167,6 +169,7 @@ Vec3 radiance_color(const World& world, const Ray& ray, Stream&) { return radian
 
 RayColor raytrace(const World& world) {
     const Needs& needs = world.needs;
+    if (needs.distribution) return distributed;
     if (needs.footprints) return filtered_radiance;
     if (needs.reflection || needs.refraction) return radiance_color;
     if (needs.other_light) return nearest<AllLight>(world);
@@ -188,6 +191,8 @@ constexpr Renderer renderers[] = {
     {Integrator::Directions, directions},
     {Integrator::Normals, nearest<Normal>, Normal::of<AllShapes>},
     {Integrator::Uv, nearest<TextureCoordinates>, TextureCoordinates::of<AllShapes>},
+    {Integrator::AnalyticDirect, [](const World&) -> RayColor { return analytic_direct; }},
+    {Integrator::Direct, [](const World&) -> RayColor { return direct; }},
 };
 
 constexpr bool fits_the_scenes_table() {

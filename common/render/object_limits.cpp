@@ -15,7 +15,7 @@
 namespace rt {
 
 void refuse(const Scene& scene, SourcePlace place, const std::string& what) {
-    throw InputError(fmt::format("{}:{}:{}: {}", scene.file, place.line, place.column, what));
+    throw InputError(at_place(scene.file, place.line, place.column, what));
 }
 
 void ObjectLimits::check_place(const Vec3& p) const {

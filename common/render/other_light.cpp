@@ -3,9 +3,9 @@
 
 #include "chapters/11_textures/harmonics.hpp"
 #include "chapters/11_textures/lobes.hpp"
+#include "common/math/axes.hpp"
+#include "common/render/area_lights.hpp"
 #include "common/render/lights.hpp"
-
-#include <cmath>
 
 namespace rt {
 namespace {
@@ -25,37 +25,55 @@ Lobe lobe_of(const Finish& finish, const Vec3& color) {
     return Matte{color, finish.value};
 }
 
-/// Columns that are perpendicular unit vectors, the last of which is n. The lobes look the same when they are
-/// turned about it, so any will do (Duff and others 2017).
-Mat3 frame_around(const Vec3& n) {
-    const Real sign = std::copysign(Real(1), n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
-    return {Vec3(1 + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y), n};
+/// The finish of a material, if it is not the plain one.
+const Finish* finish_of(const World& world, const Material& material) {
+    if (!world.needs.finishes || material.finish < 0) return nullptr;
+    const Finish& finish = world.finishes[static_cast<std::size_t>(material.finish)];
+    return finish.kind == FinishKind::Plain ? nullptr : &finish;
+}
+
+/// What the surface sends to the viewer by itself, and of the sky and the lamps. `visit_all` calls its
+/// argument for each lamp with the light and its visible part.
+template <class VisitAll>
+Vec3 sum_of_all(const World& world, const Material& material, const Vec3& normal, const Vec3& to_viewer,
+                const VisitAll& visit_all) {
+    const Finish* const finish = finish_of(world, material);
+    Lobe lobe;
+    Mat3 frame(1);
+    Material plain = material;
+    if (finish) {
+        frame = axes_around(normal);
+        lobe = lobe_of(*finish, glm::min(material.diffuse, Vec3(1)));
+        plain.diffuse = Vec3(0);
+    }
+    const Vec3 viewer = to_viewer * frame;
+    Vec3 sum = emitted_light(material);
+    if (world.needs.skylight) sum += sky_diffuse(world.skylight, normal, material.diffuse);
+    visit_all([&](const LightSample& light, const Vec3& visible) {
+        if (visible == Vec3(0)) return;
+        sum += reflected_light(plain, normal, to_viewer, light, visible);
+        if (!finish) return;
+        const Vec3 l = light.direction * frame;
+        sum += pi * l.z * evaluate(lobe, l, viewer) * light.color * visible;
+    });
+    return sum;
 }
 
 }  // namespace
 
 Vec3 other_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
                  const Vec3& to_viewer) {
-    const bool has_finish = world.needs.finishes && material.finish >= 0;
-    Lobe lobe;
-    Material plain = material;
-    if (has_finish) {
-        lobe = lobe_of(world.finishes[static_cast<std::size_t>(material.finish)],
-                       glm::min(material.diffuse, Vec3(1)));
-        plain.diffuse = Vec3(0);
-    }
-    const Mat3 frame = frame_around(normal);
-    const Vec3 viewer = to_viewer * frame;
-    Vec3 sum = emitted_light(material);
-    if (world.needs.skylight) sum += sky_diffuse(world.skylight, normal, material.diffuse);
-    visit_lights(world, surface, normal, [&](const LightSample& light, const Vec3& visible) {
-        if (visible == Vec3(0)) return;
-        sum += reflected_light(plain, normal, to_viewer, light, visible);
-        if (!has_finish) return;
-        const Vec3 l = light.direction * frame;
-        sum += pi * l.z * evaluate(lobe, l, viewer) * light.color * visible;
+    return sum_of_all(world, material, normal, to_viewer,
+                      [&](const auto& visit) { visit_lights(world, surface, normal, visit); });
+}
+
+Vec3 local_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
+                 const Vec3& to_viewer, Real time, Stream& stream) {
+    const LightAsked asked{world, surface, normal, time};
+    return sum_of_all(world, material, normal, to_viewer, [&](const auto& visit) {
+        visit_lamps(asked, visit);
+        visit_area_lights(asked, stream, visit);
     });
-    return sum;
 }
 
 }  // namespace rt

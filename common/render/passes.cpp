@@ -13,10 +13,19 @@ int margin(const SampledPicture& picture) {
     return static_cast<int>(std::ceil(picture.world.sampling.filter.radius));
 }
 
+int count_of(const SampledPicture& picture, const Patterns& patterns, int x, int y) {
+    return picture.counts.empty() ? patterns.count : picture.counts[picture.index(x, y)];
+}
+
+/// The random numbers of the pixel's first sample.
+Stream stream_of(const SampledPicture& picture, const Patterns& patterns, int x, int y, std::uint64_t pass) {
+    return stream_of(picture.world, patterns, x, y, pass, count_of(picture, patterns, x, y));
+}
+
 /// The pixel's samples, counted as camera rays.
 std::vector<PixelSample> samples_of(const SampledPicture& picture, const Patterns& patterns, int x, int y,
                                     std::uint64_t pass) {
-    const int count = picture.counts.empty() ? patterns.count : picture.counts[picture.index(x, y)];
+    const int count = count_of(picture, patterns, x, y);
     std::vector<PixelSample> samples = pattern_of(picture.world, patterns, x, y, pass, count);
     ray_counts().camera += samples.size();
     return samples;
@@ -98,7 +107,7 @@ Vec3 color_at(const SampledPicture& picture, int x, int y, const Vec2& at, const
 Vec3 color_of_pixel(const SampledPicture& picture, const Patterns& patterns, int x, int y,
                     std::uint64_t pass) {
     return sample_pixel(picture.world, x, y, samples_of(picture, patterns, x, y, pass), picture.color,
-                        stream_of(picture.world, x, y, pass));
+                        stream_of(picture, patterns, x, y, pass));
 }
 
 std::vector<FilmPixel> film_of_tile(const SampledPicture& picture, const Patterns& patterns,
@@ -113,7 +122,7 @@ std::vector<FilmPixel> film_of_tile(const SampledPicture& picture, const Pattern
         samples.clear();
     };
     each_pixel(sampled, [&](int x, int y) {
-        Stream stream = stream_of(picture.world, x, y, pass);
+        Stream stream = stream_of(picture, patterns, x, y, pass);
         for (const PixelSample& sample : samples_of(picture, patterns, x, y, pass)) {
             const Vec2 at(x + sample.at.x, y + sample.at.y);
             samples.push_back({at, color_at(picture, x, y, sample.at, stream), sample.weight});

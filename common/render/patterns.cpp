@@ -23,6 +23,32 @@ std::vector<PixelSample> shifted(std::vector<PixelSample> samples, std::uint64_t
     return moved(std::move(samples), random_point(random));
 }
 
+/// How all else of the samples of a pixel is spread whose places are of this kind.
+Spread spread_of(Sampler sampler) {
+    switch (sampler) {
+        case Sampler::Random:
+            return Spread::Independent;
+        case Sampler::Jittered:
+        case Sampler::Poisson:
+            return Spread::Stratified;
+        case Sampler::Regular:
+        case Sampler::Trapezoid:
+        case Sampler::Centered:
+            return Spread::Fixed;
+        case Sampler::Sobol:
+            return Spread::Sobol;
+    }
+    return Spread::Independent;
+}
+
+/// The numbers that place the samples on scrambled Sobol' points: the first two of their streams.
+std::vector<PixelSample> sobol_samples(Stream stream) {
+    std::vector<PixelSample> samples;
+    for (std::uint32_t i = 0; i < stream.count; ++i, ++stream.sample)
+        samples.push_back({spread_point(stream), Real(1) / stream.count});
+    return samples;
+}
+
 }  // namespace
 
 Patterns patterns_for(const World& world, Sampler sampler, int count) {
@@ -58,13 +84,23 @@ std::vector<PixelSample> pattern_of(const World& world, const Patterns& patterns
             return shifted(trapezoid_samples(samples), pass, random);
         case Sampler::Centered:
             return shifted(centered_samples(samples), pass, random);
+        case Sampler::Sobol:
+            drawn += 2 * static_cast<std::uint64_t>(samples);
+            return sobol_samples(stream_of(world, patterns, x, y, pass, samples));
     }
     return {};
 }
 
-Stream stream_of(const World& world, int x, int y, std::uint64_t pass) {
+Stream stream_of(const World& world, const Patterns& patterns, int x, int y, std::uint64_t pass,
+                 int samples) {
     Stream stream = stream_of(world, x, y);
     if (pass != 0) stream.seed = mixed(stream.seed, pass);
+    stream.count = static_cast<std::uint32_t>(samples);
+    // A single sample is at the centre, whatever the scene says; all else about it is as the scene says.
+    stream.spread = spread_of(samples == 1 ? world.sampling.sampler : patterns.sampler);
+    // A pattern that is not random is moved by further passes, which would be of no use if they had the same
+    // numbers.
+    if (stream.spread == Spread::Fixed && pass != 0) stream.spread = Spread::Stratified;
     return stream;
 }
 

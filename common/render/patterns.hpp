@@ -29,7 +29,8 @@ Patterns patterns_for(const World& world, Sampler sampler, int count);
 std::vector<PixelSample> pattern_of(const World& world, const Patterns& patterns, int x, int y,
                                     std::uint64_t pass, int samples);
 
-/// The random numbers of the first sample of a pixel in a pass, for all but its place.
-Stream stream_of(const World& world, int x, int y, std::uint64_t pass);
+/// The random numbers of the first sample of a pixel in a pass, for all but its place; the pixel has
+/// `samples`.
+Stream stream_of(const World& world, const Patterns& patterns, int x, int y, std::uint64_t pass, int samples);
 
 }  // namespace rt

@@ -25,7 +25,8 @@ struct Probe {
 /// times the first pattern's error, for k = 2 from √2 to 3: the middle, 2.06, is at most 1.46 times wrong.
 Probe probe_of(Sampler sampler, int count) {
     const Probe independent{count, probe_pass, 1};
-    if (sampler == Sampler::Random || sampler == Sampler::Jittered || sampler == Sampler::Poisson)
+    if (sampler == Sampler::Random || sampler == Sampler::Jittered || sampler == Sampler::Poisson ||
+        sampler == Sampler::Sobol)
         return independent;
     const int more = sampler == Sampler::Centered ? 1 : 0;
     const int ends = sampler == Sampler::Trapezoid ? 1 : 0;

@@ -47,7 +47,8 @@ struct PrimitiveBuilder {
           transforms(from),
           uses(from.meshes.size()),
           shared(from.meshes.size()),
-          outwards(from.meshes.size()) {
+          outwards(from.meshes.size()),
+          first_light_material(static_cast<std::uint32_t>(from.materials.size())) {
         if (to.needs.refraction || to.needs.colored_shadows) {
             Bodies found = bodies_of(from, to.needs.refraction);
             bodies = std::move(found.of);
@@ -63,7 +64,39 @@ struct PrimitiveBuilder {
             transform = transforms.of(one);
             std::visit([&](const auto& shape) { add(shape); }, one.shape);
         }
+        object = nullptr;
+        world.area_lights.first_primitive = static_cast<std::uint32_t>(world.primitives.size());
+        for (std::uint32_t i = 0; i < scene.area_lights.size(); ++i)
+            std::visit([&](const auto& shape) { add_light(shape, i); }, scene.area_lights[i].light.shape);
         std::apply([&](auto&... group) { (keep(group), ...); }, groups);
+    }
+
+    // Lights are there to be seen, and stand in each other's way.
+
+    template <class Shape>
+    void append_light(const Shape& shape, std::uint32_t light) {
+        Group<Shape>& group = std::get<Group<Shape>>(groups);
+        group.primitive.push_back(static_cast<std::uint32_t>(world.primitives.size()));
+        group.shapes.push_back(shape);
+        if constexpr (std::is_same_v<Shape, Triangle>)
+            if (world.needs.uvs) group.uvs.push_back(weights);
+        world.primitives.push_back({.material = first_light_material + light,
+                                    .object = static_cast<std::uint32_t>(scene.objects.size()) + light});
+        world.area_lights.of.push_back(light);
+    }
+    void add_light(const QuadLight& quad, std::uint32_t light) {
+        const Vec3 b = quad.corner + quad.ab, c = b + quad.ac, d = quad.corner + quad.ac;
+        append_light(Triangle{quad.corner, b, c}, light);
+        append_light(Triangle{quad.corner, c, d}, light);
+    }
+    void add_light(const DiscLight& disc, std::uint32_t light) {
+        append_light(Disc{disc.center, disc.normal, disc.radius}, light);
+    }
+    void add_light(const SphereLight& sphere, std::uint32_t light) {
+        append_light(Sphere{sphere.center, sphere.radius}, light);
+    }
+    void add_light(const TriangleLight& triangle, std::uint32_t light) {
+        append_light(Triangle{triangle.a, triangle.b, triangle.c}, light);
     }
 
     /// Moves the group into the world, if it has any shapes.
@@ -110,7 +143,25 @@ struct PrimitiveBuilder {
                 return;
             }
         }
+        if (moves()) return append_moving(std::move(shape));
         append(std::get<Group<Shape>>(groups), std::move(shape));
+    }
+
+    bool moves() const { return object->motion != Vec3(0); }
+
+    /// Appends a shape that moves as its object does.
+    template <class Shape>
+    void append_moving(Shape shape) {
+        if constexpr (std::is_constructible_v<Still, Shape>) {
+            Moving moving{object->motion, std::move(shape)};
+            const Bounds box = bounds_of(moving);
+            limits().check_place(box.low);
+            limits().check_place(box.high);
+            append(std::get<Group<Moving>>(groups), std::move(moving));
+        } else {
+            limits().fail("this " + std::string(words_of(object->shape).name) +
+                          " has no end, and so it cannot move: say 'motion 0 0 0' before it");
+        }
     }
 
     /// A shape that stands in the file as it stands in the world.
@@ -176,6 +227,7 @@ struct PrimitiveBuilder {
         const Triangle baked{point(t.a), point(t.b), point(t.c)};
         limits().check_corners(std::array{baked.a, baked.b, baked.c});
         const bool is_smooth = world.needs.normals && face.normals;
+        if (is_smooth && moves()) return add_moving(*face.normals, face.triangle);
         if (is_smooth) {
             // Not made unit vectors again: the map is linear, so interpolating its images is the same as
             // mapping what was interpolated, as instances do.
@@ -183,8 +235,25 @@ struct PrimitiveBuilder {
             smooth.normals.push_back({normal(n.a), normal(n.b), normal(n.c)});
         }
         Group<Triangle>& group = is_smooth ? smooth : std::get<Group<Triangle>>(groups);
+        if (moves()) return append(baked);
         if (world.needs.uvs) group.uvs.push_back(face.uvs.value_or(weights));
         append(group, baked);
+    }
+
+    /// A triangle that moves is a mesh of its own if it is smooth.
+    void add_moving(const TriangleNormals& normals, const Triangle& triangle) {
+        Mesh mesh;
+        mesh.positions = {triangle.a, triangle.b, triangle.c};
+        mesh.normals = {normals.a, normals.b, normals.c};
+        mesh.triangles = {{{{0, 0, -1}, {1, 1, -1}, {2, 2, -1}}}};
+        world.meshes.push_back(std::make_shared<SharedMesh>(share(mesh, world.needs)));
+        append_instance(world.meshes.back());
+    }
+
+    void append_instance(const std::shared_ptr<SharedMesh>& mesh) {
+        const Instance instance{transform.value_or(Transform{}), {mesh}};
+        limits().check_instance(instance.transform, mesh->bound);
+        append(instance);
     }
 
     void add(const TriangleObject& triangle) {
@@ -211,7 +280,8 @@ struct PrimitiveBuilder {
         const Mesh& mesh = scene.meshes[shown.mesh];
         const bool too_flat = transform && !(flattening_of(*transform) <= 3 * most_flattening_of_instance);
         if (tree) check_part(shown.mesh, too_flat);
-        if (!tree && (uses[shown.mesh] == 1 || too_flat)) {
+        if (moves() && too_flat) limits().fail("a mesh that is flattened too much to move");
+        if (!tree && !moves() && (uses[shown.mesh] == 1 || too_flat)) {
             for (const auto& corners : mesh.triangles) add(face_of(mesh, corners));
             return;
         }
@@ -220,9 +290,7 @@ struct PrimitiveBuilder {
             one = std::make_shared<SharedMesh>(share(mesh, world.needs));
             world.meshes.push_back(one);
         }
-        const Instance instance{transform.value_or(Transform{}), {one}};
-        limits().check_instance(instance.transform, one->bound);
-        append(instance);
+        append_instance(one);
     }
 
     void add(const CombinationObject& whole) {
@@ -276,6 +344,8 @@ struct PrimitiveBuilder {
     std::vector<std::size_t> uses;                    ///< how many objects show each mesh
     std::vector<std::shared_ptr<SharedMesh>> shared;  ///< each mesh that several do
     std::vector<std::optional<bool>> outwards;        ///< whether each mesh looks outwards; asked for once
+
+    const std::uint32_t first_light_material;  ///< index into World::materials; each light has its own
 
     std::vector<std::uint32_t> bodies;  ///< as Bodies::of
 

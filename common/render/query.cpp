@@ -3,6 +3,8 @@
 
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/11_textures/sky.hpp"
+#include "chapters/12_distribution/lens.hpp"
+#include "chapters/12_distribution/motion.hpp"
 #include "common/render/groups.hpp"
 #include "common/render/lights.hpp"
 #include "common/render/other_light.hpp"
@@ -66,6 +68,23 @@ std::optional<Hit> next_at_once(const World& world, const Ray& ray, const Hit& l
         if (is_first) return *hit;
     }
     return std::nullopt;
+}
+
+/// The ray through a lens, or at a time.
+[[gnu::noinline]] Ray blurred_camera_ray(const World& world, const CameraSample& sample) {
+    const Real x = sample.place.x, y = sample.place.y;
+    Ray ray;
+    if (world.needs.lens) {
+        const Lens& lens = world.blur.lens;
+        const Vec2 on_lens =
+            lens.sides == 0 ? disc_point(sample.lens) : polygon_point(lens.sides, lens.turn, sample.lens);
+        ray = lens_ray(world.view, lens, x, y, on_lens);
+    } else {
+        ray = pixel_ray(world.view, x, y);
+    }
+    ray.origin += sample.time * world.blur.motion;
+    ray.time = sample.time;
+    return ray;
 }
 
 }  // namespace
@@ -154,13 +173,20 @@ Vec3 local_light(const World& world, const Surface& surface, const Material& mat
 }
 
 Ray camera_ray(const World& world, const CameraSample& sample) {
-    Ray ray = pixel_ray(world.view, sample.place.x, sample.place.y);
-    ray.time = sample.time;
-    return ray;
+    if (!world.needs.blur) return pixel_ray(world.view, sample.place.x, sample.place.y);
+    return blurred_camera_ray(world, sample);
 }
 
-Ray camera_ray(const World& world, const Vec2& place, Stream&) {
-    return camera_ray(world, CameraSample{.place = place});
+CameraSample camera_sample(const World& world, const Vec2& place, Stream& stream) {
+    CameraSample sample{.place = place};
+    if (world.needs.lens) sample.lens = next_point(stream);
+    if (world.needs.motion) sample.time = shutter_time(world.blur.shutter, next_real(stream));
+    return sample;
+}
+
+Ray camera_ray(const World& world, const Vec2& place, Stream& stream) {
+    if (!world.needs.blur) return pixel_ray(world.view, place.x, place.y);
+    return blurred_camera_ray(world, camera_sample(world, place, stream));
 }
 
 }  // namespace rt

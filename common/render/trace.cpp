@@ -1,7 +1,6 @@
 // The ray tree of one camera ray, written down: what was hit, what each light gave, what went on.
 #include "common/render/trace.hpp"
 
-#include "chapters/07_recursion/optics.hpp"
 #include "common/render/integrators.hpp"
 #include "common/render/lights.hpp"
 
@@ -44,9 +43,8 @@ std::vector<TraceRecord> trace_tree(const World& world, const Ray& ray, std::siz
             row_of(world.integrator).tree ? background(world, here.direction) : color_along(world, here);
         record.hit = closest_hit(world, here, {0, infinity});
         const int index = static_cast<int>(tree.size());
-        const Material* around = material_around(world, record.branch.media);
-        if (world.needs.absorption && around)
-            record.weight *= transmitted(around->absorption, record.hit ? record.hit->t : infinity);
+        if (world.needs.absorption)
+            record.weight *= left_after(world, record.branch.media, record.hit ? record.hit->t : infinity);
         if (record.hit) {
             const Material material = shade(world, record);
             if (bounces) {

@@ -104,6 +104,18 @@ constexpr Synonym commands[] = {
     {"distantLight", "directional"},
     {"sun", "directional"},
     {"falloff", "attenuation"},
+    {"areaLight", "quadLight"},
+    {"rectLight", "quadLight"},
+    {"diskLight", "discLight"},
+    // What blurs
+    {"dof", "lens"},
+    {"depthOfField", "lens"},
+    {"focus", "lens"},
+    {"focalBlur", "lens"},
+    {"blades", "aperture"},
+    {"velocity", "motion"},
+    {"motionBlur", "motion"},
+    {"glossiness", "gloss"},
 };
 
 constexpr Synonym choices[] = {
@@ -116,6 +128,8 @@ constexpr Synonym choices[] = {
     {"sampler uniform", "random"},
     {"sampler independent", "random"},
     {"sampler grid", "regular"},
+    {"sampler halton", "sobol"},
+    {"sampler lowdiscrepancy", "sobol"},
     {"filter triangle", "tent"},
     {"shadows yes", "on"},
     {"shadows no", "off"},
@@ -131,28 +145,10 @@ struct Later {
 };
 
 constexpr Later later[] = {
-    {"quadLight", "12"},
-    {"lightsamples", "12"},
-    {"lightstratify", "12"},
-    {"gamma", "12"},
-    {"lens", "12"},
-    {"motion", "12"},
-    {"integrator analyticdirect", "12"},
-    {"integrator direct", "12"},
-    {"accelerator bvh", "13"},
-    {"accelerator obb", "13"},
-    {"accelerator spheres", "13"},
-    {"accelerator ellipsoids", "13"},
-    {"accelerator octree", "13"},
-    {"accelerator kdtree", "13"},
-    {"accelerator bsp", "13"},
-    {"accelerator binary", "13"},
-    {"integrator pathtracer", "14"},
-    {"nexteventestimation", "14"},
-    {"importancesampling", "14"},
-    {"russianroulette", "14"},
-    {"brdf", "14"},
-    {"roughness", "14"},
+    {"accelerator bvh", "13"},        {"accelerator obb", "13"},    {"accelerator spheres", "13"},
+    {"accelerator ellipsoids", "13"}, {"accelerator octree", "13"}, {"accelerator kdtree", "13"},
+    {"accelerator bsp", "13"},        {"accelerator binary", "13"}, {"integrator pathtracer", "14"},
+    {"nexteventestimation", "14"},    {"importancesampling", "14"}, {"russianroulette", "14"},
 };
 
 bool same_word(std::string_view a, std::string_view b) {

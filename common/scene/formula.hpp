@@ -60,6 +60,9 @@ inline constexpr int greatest_exponent = 64;
 /// Everybody who shows a surface shares its program, which nobody changes.
 using SharedFormula = std::shared_ptr<const Formula>;
 
+/// The same formula, to be used while its owner keeps it: to count owners takes longer than many a ray.
+inline SharedFormula lent(const SharedFormula& f) { return {SharedFormula(), f.get()}; }
+
 /// What is wrong with the text of a formula, and where: `at` is counted from its beginning.
 struct FormulaError : std::runtime_error {
     FormulaError(const std::string& what, std::size_t where) : runtime_error(what), at(where) {}

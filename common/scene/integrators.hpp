@@ -11,7 +11,7 @@
 namespace rt {
 
 /// How a scene's rays become colours.
-enum class Integrator { Raytrace, Flat, Directions, Normals, Uv };
+enum class Integrator { Raytrace, Flat, Directions, Normals, Uv, AnalyticDirect, Direct };
 
 /// How a picture finds what each of its pixels sees.
 enum class Visibility {
@@ -29,13 +29,14 @@ struct IntegratorRow {
     std::string_view why_not_povray{};
 
     // What it looks at.
-    bool objects = true;     ///< anything at all that is in the scene
-    bool hit_alone = false;  ///< nothing but the nearest hit: then scan conversion can find that, too
-    bool materials = false;  ///< the colours of materials, and so their patterns
-    bool lights = false;     ///< lights, and so highlights and shadows
-    bool tree = false;       ///< the mirrored and refracted rays of chapter 7's tree
-    bool normals = false;    ///< shading normals, even where there are no lights
-    bool uvs = false;        ///< texture coordinates
+    bool objects = true;       ///< anything at all that is in the scene
+    bool hit_alone = false;    ///< nothing but the nearest hit: then scan conversion can find that, too
+    bool materials = false;    ///< the colours of materials, and so their patterns
+    bool lights = false;       ///< lights, and so highlights and shadows
+    bool area_lights = false;  ///< those with an extent, too
+    bool tree = false;         ///< the mirrored and refracted rays of chapter 7's tree
+    bool normals = false;      ///< shading normals, even where there are no lights
+    bool uvs = false;          ///< texture coordinates
 };
 
 inline constexpr IntegratorRow integrators[] = {
@@ -45,6 +46,7 @@ inline constexpr IntegratorRow integrators[] = {
      .chapter = "01",
      .materials = true,
      .lights = true,
+     .area_lights = true,
      .tree = true},
     {.value = Integrator::Flat,
      .name = "flat",
@@ -69,6 +71,23 @@ inline constexpr IntegratorRow integrators[] = {
      .chapter = "01",
      .hit_alone = true,
      .uvs = true},
+    {.value = Integrator::AnalyticDirect,
+     .name = "analyticdirect",
+     .meaning = "the light of `quadLight`s on diffuse surfaces by Lambert's formula, without shadows",
+     .chapter = "12",
+     .why_not_povray = "it has no light of a whole polygon",
+     .materials = true,
+     .lights = true,
+     .area_lights = true},
+    {.value = Integrator::Direct,
+     .name = "direct",
+     .meaning = "the light of area lights by random points of them, in physical units: diffuse/π, and "
+                "highlights by `brdf`",
+     .chapter = "12",
+     .why_not_povray = "its lights are no physical ones",
+     .materials = true,
+     .lights = true,
+     .area_lights = true},
 };
 
 constexpr const IntegratorRow& row_of(Integrator integrator) {

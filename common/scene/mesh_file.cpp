@@ -109,7 +109,7 @@ private:
     Place place_of(std::string_view word) const { return place_of(word.data()); }
 
     std::string message(Place place, const std::string& what) const {
-        return name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + what;
+        return at_place(name, place.line, place.column, what);
     }
     [[noreturn]] void fail(Place place, const std::string& what) const {
         throw InputError(message(place, what));

@@ -15,6 +15,7 @@ enum class Sampler {
     Poisson,    ///< anywhere, but no two near each other
     Trapezoid,  ///< on the corners of cells: POV-Ray's method 2
     Centered,   ///< regular, and one more in the middle: POV-Ray's method 1
+    Sobol,      ///< scrambled points of a sequence that fills the square evenly, however many
 };
 
 /// How much a sample counts for a pixel, by its place relative to the pixel's centre.

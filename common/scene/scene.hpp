@@ -4,7 +4,9 @@
 
 #include "common/image/image.hpp"
 #include "common/scene/accelerators.hpp"
+#include "common/scene/area_lights.hpp"
 #include "common/scene/integrators.hpp"
+#include "common/scene/lens.hpp"
 #include "common/scene/sampling.hpp"
 #include "common/scene/shapes.hpp"
 #include "common/scene/sky.hpp"
@@ -52,9 +54,16 @@ enum class Highlight { Blinn, Phong };
 
 /// How diffuse light is spread: evenly, or as a lobe of chapter 11 does.
 enum class FinishKind { Plain, Matte, Velvet, Metal, Coated };
+/// The formula by which the integrator `direct` reflects light.
+enum class Brdf { Phong, Ggx };
+/// What few materials ask for: how light is spread, where it is neither evenly nor as in a mirror.
 struct Finish {
     FinishKind kind = FinishKind::Plain;
-    Real value = 0;  ///< the lobe's roughness, of Coated its index of refraction
+    Real value = 0;         ///< the lobe's roughness, of Coated its index of refraction
+    Real gloss = 0;         ///< exponent of the lobe around the mirror direction; 0 is the direction alone
+    Real translucency = 0;  ///< likewise around the refracted direction
+    Brdf brdf = Brdf::Phong;
+    Real roughness = 1;  ///< of Ggx: α itself
     friend bool operator==(const Finish&, const Finish&) = default;
 };
 
@@ -103,6 +112,7 @@ struct Object {
     std::uint32_t material = 0;  ///< index into Scene::materials
     int transform = -1;          ///< index into Scene::transforms; −1 is the identity
     SourcePlace place;
+    Vec3 motion{0};  ///< where it is when the shutter closes, from where it stands; world space
 };
 
 /// Light from a point, divided by c + l·d + q·d² at distance d; `attenuation` is (c, l, q).
@@ -119,6 +129,12 @@ struct DirectionalLight {
 };
 
 using Light = std::variant<PointLight, DirectionalLight>;
+
+/// A light with an extent, and where the file has it.
+struct AreaLightObject {
+    AreaLight light;
+    SourcePlace place;
+};
 
 /// Vertex of `trinormal` triangles; the normal need not be of unit length.
 struct SmoothVertex {
@@ -147,6 +163,11 @@ struct Scene {
     std::optional<Sky> sky;  ///< instead of the background; its picture is one of `pictures`
     bool skylight = false;   ///< `skylight`: diffuse light from the sky
     Camera camera;
+    Lens lens;
+    Shutter shutter;
+    Vec3 camera_motion{0};  ///< as an object's
+    LightSamples light_samples;
+    Real gamma = 1;  ///< exponent of 8-bit files: light to the power 1/gamma
 
     std::vector<Vec3> vertices;
     std::vector<SmoothVertex> smooth_vertices;
@@ -159,6 +180,7 @@ struct Scene {
     std::vector<Object> objects;
     std::vector<Object> parts;  ///< what combinations are made of; theirs stand before them
     std::vector<Light> lights;
+    std::vector<AreaLightObject> area_lights;
 };
 
 }  // namespace rt

@@ -6,6 +6,7 @@
 #include "common/image/image.hpp"
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <variant>
 
@@ -30,12 +31,17 @@ struct GradientSky {
     Vec3 nadir{0};
 };
 
-/// A picture of at least one pixel, turned by `turn` degrees about the y axis, counterclockwise as seen from
-/// above.
+/// The cosine and sine of an angle, worked out once.
+struct Turn {
+    Real cosine = 1, sine = 0;
+};
+inline Turn turn_by(Real angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// A picture of at least one pixel, turned about the y axis, counterclockwise as seen from above.
 struct ImageSky {
     std::shared_ptr<const Image> image;
     SkyMap map = SkyMap::LatitudeLongitude;
-    Real turn = 0;
+    Turn turn{};
 };
 
 using Sky = std::variant<ConstantSky, GradientSky, ImageSky>;

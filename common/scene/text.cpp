@@ -101,14 +101,13 @@ std::string_view take_line(std::string_view& text) {
 
 void check_is_text(std::string_view text, const std::string& name) {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        throw InputError(name + ":1:1: the file is in UTF-16; save it as UTF-8");
+        throw InputError(at_place(name, 1, 1, "the file is in UTF-16; save it as UTF-8"));
     const std::size_t nul = text.find('\0');
     if (nul == std::string_view::npos) return;
     int line_number = 0;
     std::string_view line, rest = text.substr(0, nul + 1);
     for (; !rest.empty(); ++line_number) line = take_line(rest);
-    throw InputError(name + ":" + std::to_string(line_number) + ":" + std::to_string(line.size()) +
-                     ": a zero byte: this is not a text file");
+    throw InputError(at_place(name, line_number, line.size(), "a zero byte: this is not a text file"));
 }
 
 std::string read_text(const std::filesystem::path& path, const std::string& name) {

@@ -29,8 +29,8 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     const auto newline = before.rfind('\n');
     const std::string_view line = newline == std::string_view::npos ? before : before.substr(newline + 1);
     throw InputError(
-        printable(fmt::format("{}:{}:{}: {}", source.name, 1 + std::count(before.begin(), before.end(), '\n'),
-                              1 + std::ranges::count(line, false, continues_utf8), what)));
+        printable(at_place(source.name, 1 + std::count(before.begin(), before.end(), '\n'),
+                           1 + std::ranges::count(line, false, continues_utf8), std::string(what))));
 }
 
 /// The library reads JSON and forgets where each value stood. This goes through a text that is known to be

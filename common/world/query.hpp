@@ -57,6 +57,18 @@ const Material* material_around(const World& world, std::span<const Medium> insi
 Vec3 local_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
                  const Vec3& to_viewer);
 
+/// The same at a time, in a world that has area lights or motion: with the light of area lights, each by as
+/// many random points as the scene says, and not more than one point of one light if it chooses one.
+Vec3 local_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
+                 const Vec3& to_viewer, Real time, Stream& stream);
+
+/// What a hit of an area light shows to the ray: its radiance on the bright side, black on the dark one;
+/// nothing if the hit is of something else.
+std::optional<Vec3> light_at(const World& world, const Ray& ray, const Hit& hit);
+
+/// The exponent of the lobe in which a material spreads mirrored rays, or refracted ones; 0 if it does not.
+Real gloss_of(const World& world, const Material& material, bool refracted);
+
 /// What the sky shows in a direction, of any length but 0, in a world whose needs say that it has one.
 Vec3 sky_color(const World& world, const Vec3& direction);
 
@@ -68,15 +80,18 @@ inline Vec3 background(const World& world, const Vec3& direction) {
 /// What a camera ray is a function of.
 struct CameraSample {
     Vec2 place{0};   ///< of the picture, in pixels: as for pixel_ray
-    Vec2 lens{0.5};  ///< of the unit square, mapped to the lens; cameras have none as yet
+    Vec2 lens{0.5};  ///< of the unit square, mapped to the lens
     Real time = 0;   ///< in the shutter interval [0, 1]
 };
 
 /// The ray of a sample, in world space; its direction is a unit vector.
 Ray camera_ray(const World& world, const CameraSample& sample);
 
-/// The ray through a place of the picture. What the camera needs besides, point of the lens and time, is
-/// drawn from the stream; as yet nothing.
+/// The sample of a place of the picture. What the camera needs besides is drawn from the stream: a point of
+/// the lens, if there is one, and then the time, if anything moves.
+CameraSample camera_sample(const World& world, const Vec2& place, Stream& stream);
+
+/// The ray of that sample.
 Ray camera_ray(const World& world, const Vec2& place, Stream& stream);
 
 }  // namespace rt

@@ -70,6 +70,17 @@ struct Combination {
     std::vector<Node> nodes;  ///< each after those that it is made of
 };
 
+/// Any shape that has an end, while it does not move.
+using Still = std::variant<Sphere, Triangle, Polygon, Ellipsoid, Instance, Box, Placed<Box>, Disc,
+                           Placed<Disc>, Cone, Placed<Cone>, OpenCone, Placed<OpenCone>, Torus, Placed<Torus>,
+                           Implicit, Placed<Implicit>, Quadric, Placed<Quadric>, Combination>;
+
+/// A shape that moves evenly while the shutter is open.
+struct Moving {
+    Vec3 motion{0};  ///< from where it is at time 0 to where it is at time 1; world space
+    Still shape;     ///< where it is at time 0
+};
+
 template <class... Shape>
 struct List {};
 
@@ -83,7 +94,7 @@ struct List {};
 ///     list.
 using Shapes = List<Plane, Sphere, Triangle, Polygon, Ellipsoid, Instance, Placed<Plane>, Box, Placed<Box>,
                     Disc, Placed<Disc>, Cone, Placed<Cone>, OpenCone, Placed<OpenCone>, Torus, Placed<Torus>,
-                    Implicit, Placed<Implicit>, Quadric, Placed<Quadric>, Combination>;
+                    Implicit, Placed<Implicit>, Quadric, Placed<Quadric>, Combination, Moving>;
 
 /// What messages call a shape, whose code it runs, what it costs, and what holds of every one.
 struct ShapeWords {
@@ -180,6 +191,12 @@ inline constexpr ShapeWords words<Placed<Quadric>>{
 template <>
 inline constexpr ShapeWords words<Combination>{
     "combination of solids", "combinations of solids", {"10.1", "10.11"}, 10};
+template <>
+inline constexpr ShapeWords words<Moving>{.one = "moving shape",
+                                          .many = "moving shapes",
+                                          .steps = {"12.8", "12.9"},
+                                          .ask = 3,
+                                          .crossings = as_many_as_it_likes};
 
 /// The bytes that a shape owns beside its own. One that owns memory says here, or in its chapter's contract,
 /// how much.
@@ -200,6 +217,10 @@ inline std::size_t owned_bytes(const Combination& combination) {
         bytes += part.common_planes.size() * sizeof(Combination::CommonPlane) +
                  std::visit([](const auto& solid) { return owned_bytes(solid); }, part.solid);
     return bytes;
+}
+
+inline std::size_t owned_bytes(const Moving& moving) {
+    return std::visit([](const auto& shape) { return owned_bytes(shape); }, moving.shape);
 }
 
 }  // namespace rt

@@ -1,6 +1,8 @@
 // What the renderer reads: only what this scene needs, each kind of shape in one array.
 #pragma once
 
+#include "common/scene/area_lights.hpp"
+#include "common/scene/lens.hpp"
 #include "common/scene/sampling.hpp"
 #include "common/scene/sky.hpp"
 #include "common/scene/textures.hpp"
@@ -139,11 +141,33 @@ struct Needs {
     bool refraction = false;       ///< some material transmits
     bool absorption = false;       ///< some material absorbs inside
     bool accelerators = false;     ///< some group or mesh has one
-    bool samples = false;          ///< pixels have more than one sample, or share samples by a wide filter
+    bool lens = false;             ///< camera rays start at points of a lens
+    bool motion = false;           ///< something moves while the shutter is open, or the camera does
+    bool blur = false;             ///< lens or motion: camera rays draw random numbers
+    bool area_lights = false;      ///< some light has an extent
+    bool gloss = false;            ///< some mirrored or refracted rays are spread
+    bool distribution = false;  ///< motion, area lights or gloss: rays draw random numbers after the camera
+    bool samples = false;       ///< pixels have more than one sample, or share samples by a wide filter
 };
 
 /// Whether some material's numbers depend on the place.
 inline bool varies(const Needs& needs) { return needs.patterns || needs.textures; }
+
+/// What the camera does while it looks.
+struct CameraBlur {
+    Lens lens;  ///< with a radius if needs.lens
+    Shutter shutter;
+    Vec3 motion{0};  ///< of the camera, while the shutter is open
+};
+
+/// The lights that have an extent, which are primitives, too: the last ones.
+struct AreaLights {
+    std::vector<AreaLight> lights;
+    std::vector<Real> chances;  ///< sums of their chances to be asked; empty where all are asked
+    LightSamples samples;
+    std::uint32_t first_primitive = 0;  ///< of those that are a light
+    std::vector<std::uint32_t> of;      ///< which light each of them is; index into `lights`
+};
 
 /// A compiled scene. Equal for equal scenes; the renderer never changes it.
 struct World {
@@ -164,6 +188,8 @@ struct World {
     std::vector<MaterialTexture> textures;  ///< likewise
     std::vector<Bumps> bumps;               ///< likewise
     std::vector<Finish> finishes;           ///< those that materials name; empty if no light shows them
+    CameraBlur blur;                        ///< if needs.blur
+    AreaLights area_lights;                 ///< empty if no light has an extent, or nobody asks
     std::vector<PointLight> point_lights;
     std::vector<DirectionalLight> directional_lights;  ///< directions are unit vectors
     std::vector<std::shared_ptr<SharedMesh>> meshes;

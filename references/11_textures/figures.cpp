@@ -1,6 +1,8 @@
 // Figures of chapter 11, and the pictures that its scenes lay on things. Usage: figures_11 DIRECTORY
 #include "references/figures.hpp"
 #include "chapters/01_ray_casting/camera.hpp"
+#include "chapters/07_recursion/optics.hpp"
+#include "chapters/11_textures/bump.hpp"
 #include "chapters/11_textures/cells.hpp"
 #include "chapters/11_textures/footprint.hpp"
 #include "chapters/11_textures/harmonics.hpp"
@@ -125,6 +127,26 @@ Image slices() {
                     slice(8, [](const Vec3& p) { return 0.8 * cell_distances(p).first; }),
                     slice(8, of(PatternKind::Cellular))},
                    3);
+}
+
+// ----------------------------------------------------------------------------------------------- bumps
+
+/// A normal that mirrors the viewer's ray into the surface, and the one to which it is led back; angles in
+/// degrees from the geometric normal.
+std::string led_back() {
+    const auto leant = [](Real degrees) {
+        return Vec3(std::sin(radians(degrees)), std::cos(radians(degrees)), 0);
+    };
+    const Real toward = 45, away = 30;
+    const Vec3 geometric = leant(0), viewer = leant(toward), shading = leant(-away);
+    const Vec3 kept = kept_visible(shading, geometric, viewer);
+    const auto rise = [&](const Vec3& n) { return dot(reflect(-viewer, n), geometric); };
+    return fmt::format(
+        "viewer,normal_leans_away_by,mirrored_ray_goes_down_by,led_back_to,viewer_is_higher_than_mirrored_"
+        "ray\n"
+        "{},{},{:.2f},{:.1f},{:.3g}\n",
+        toward, away, -rise(shading), -std::atan2(kept.x, kept.y) * 180 / pi,
+        dot(viewer, geometric) / rise(kept));
 }
 
 // ------------------------------------------------------------------------------------------------- sky
@@ -289,6 +311,7 @@ void draw_all(const Path& out) {
         out / "nine_numbers.png",
         in_rows({balls_under(halved(halved(sunset_picture()))), balls_under(one_point_of_light())}, 1));
     write_file(out / "nine_numbers.csv", nine_numbers());
+    write_file(out / "led_back.csv", led_back());
     write_file(out / "filter_errors.csv", filter_errors());
     write_file(out / "cells_missed.csv", cells_missed());
     write_file(out / "furnace.csv", furnaces());

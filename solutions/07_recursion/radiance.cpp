@@ -11,17 +11,6 @@
 namespace rt {
 namespace {
 
-[[maybe_unused]] Real ior(const World& world, const Media& media) {
-    const Material* around = material_around(world, media);
-    return around ? around->ior : 1;
-}
-
-/// What is left of light after `distance` in the medium around the ray.
-[[maybe_unused]] Vec3 left_after(const World& world, const Media& media, Real distance) {
-    const Material* around = material_around(world, media);
-    return around ? transmitted(around->absorption, distance) : Vec3(1);
-}
-
 [[maybe_unused]] Vec3 turned_against(const Vec3& n, const Vec3& d) { return dot(n, d) > 0 ? -n : n; }
 
 /// Which way is out of the flat surface on the side where the ray arrives.
@@ -120,8 +109,8 @@ Vec3 radiance(const World& world, const Ray& ray) {
     camera.media = world.eye_inside;
     // [exercise 07.6] Keep the rays still to be traced on a stack (a std::vector), at first the camera ray.
     // While there are any: take the last one off. If world.needs.absorption, multiply its weight by what the
-    // medium leaves of the light on the way to the hit (`left_after` above; the way is infinite where nothing
-    // is hit). Where it hits nothing, add weight · background(world, direction of the ray). Else add weight ·
+    // medium leaves of the light on the way to the hit (`left_after`; the way is infinite where nothing is
+    // hit). Where it hits nothing, add weight · background(world, direction of the ray). Else add weight ·
     // local_light, and push what `scatter` returns, the last branch first, so that the reflected ray is
     // traced next. Count each pushed ray in ray_counts().reflection or .refraction.
     Vec3 sum(0);

@@ -11,6 +11,7 @@ namespace rt {
 int wrapped(std::int64_t i, int size, Wrap wrap) {
     // [exercise 11.2] Return the texel that stands at place i, as the three rows in image_texture.hpp show. i
     // may be negative, and % then leaves a negative remainder.
+    if (0 <= i && i < size) return static_cast<int>(i);  // as a rule; the remainders take long
     if (wrap == Wrap::Clamp) return static_cast<int>(std::clamp<std::int64_t>(i, 0, size - 1));
     // The mirrored row is a row of twice as many that repeats.
     const std::int64_t period = wrap == Wrap::Mirror ? 2 * std::int64_t{size} : size;
@@ -29,6 +30,7 @@ Vec3 texel(const Image& image, std::int64_t column, std::int64_t row, Wrap wrap)
 
 Vec2 near_image(const Vec2& uv, Wrap wrap) {
     if (wrap == Wrap::Clamp) return clamp(uv, Vec2(-1), Vec2(2));
+    if (std::abs(uv.x) < 2 && std::abs(uv.y) < 2) return uv;
     // Whether the image repeats or is mirrored, 2 is a period of it. fmod does not round.
     return {std::fmod(uv.x, 2), std::fmod(uv.y, 2)};
 }

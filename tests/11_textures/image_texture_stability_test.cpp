@@ -1,6 +1,7 @@
 // Step 11.2 far beyond the edges.
 #include "chapters/11_textures/image_texture.hpp"
 #include "common/math/error.hpp"
+#include "tests/11_textures/texel_images.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
@@ -8,28 +9,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <string>
 
 using namespace rt;
+using test::all_wraps;
 using test::cases;
+using test::name_of;
 using test::near;
 using test::Random;
-
-namespace {
-
-const Wrap all_wraps[] = {Wrap::Repeat, Wrap::Mirror, Wrap::Clamp};
-
-std::string name_of(Wrap wrap) {
-    return wrap == Wrap::Repeat ? "Repeat" : wrap == Wrap::Mirror ? "Mirror" : "Clamp";
-}
-
-Image noise(int width, int height, Random& random) {
-    Image image = make_image(width, height);
-    for (Vec3& p : image.pixels) p = Vec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
-    return image;
-}
-
-}  // namespace
+using test::random_image;
 
 TEST_CASE("places of all sizes are wrapped to texels", "[11.2][stability]") {
     Random random(11211);
@@ -59,7 +46,7 @@ TEST_CASE("whole images away is the same place", "[11.2][stability]") {
     for (int i = 0; i < cases(20000); ++i) {
         const int width = 1 + static_cast<int>(random.index(9)),
                   height = 1 + static_cast<int>(random.index(9));
-        const Image image = noise(width, height, random);
+        const Image image = random_image(width, height, random);
         const Wrap wrap = all_wraps[i % 2];
         // Multiples of 2^-20, so that the sum with up to 2^31 of the images is exact.
         const auto coordinate = [&] { return std::floor(random.uniform(0, 1) * 0x1p20) * 0x1p-20; };
@@ -72,7 +59,7 @@ TEST_CASE("whole images away is the same place", "[11.2][stability]") {
 
 TEST_CASE("coordinates of all sizes give colours of the image", "[11.2][stability]") {
     Random random(11213);
-    const Image image = noise(5, 3, random);
+    const Image image = random_image(5, 3, random);
     Vec3 least(1), greatest(0);
     for (const Vec3& p : image.pixels) least = glm::min(least, p), greatest = glm::max(greatest, p);
     for (int i = 0; i < cases(20000); ++i) {
@@ -90,7 +77,7 @@ TEST_CASE("coordinates of all sizes give colours of the image", "[11.2][stabilit
 
 TEST_CASE("clamped, the edge goes on for ever", "[11.2][stability]") {
     Random random(11214);
-    const Image image = noise(5, 3, random);
+    const Image image = random_image(5, 3, random);
     for (int i = 0; i < cases(5000); ++i) {
         const Real far = random.magnitude(0, 300), v = random.uniform(0, 1);
         INFO("u = 1 + " << far << " and -" << far << ", v = " << v);
@@ -105,7 +92,7 @@ TEST_CASE("across the seam of an image that repeats the colour is continuous", "
     Random random(11215);
     for (int i = 0; i < cases(5000); ++i) {
         const int width = 1 + static_cast<int>(random.index(9));
-        const Image image = noise(width, 2, random);
+        const Image image = random_image(width, 2, random);
         const Real beside = random.magnitude(-300, -3), v = random.uniform(0, 1);
         for (const Wrap wrap : all_wraps)
             for (const Real seam : {0.0, 1.0}) {

@@ -1,46 +1,28 @@
 // Step 11.2: the colour of an image between its pixels, and beyond its edges.
 #include "chapters/11_textures/image_texture.hpp"
 #include "common/math/error.hpp"
-#include "common/math/stopwatch.hpp"
+#include "tests/11_textures/texel_images.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 using namespace rt;
+using test::all_wraps;
 using test::cases;
+using test::grey;
+using test::name_of;
 using test::near;
 using test::Random;
+using test::random_image;
 
 namespace {
-
-const Wrap all_wraps[] = {Wrap::Repeat, Wrap::Mirror, Wrap::Clamp};
-
-std::string name_of(Wrap wrap) {
-    return wrap == Wrap::Repeat ? "Repeat" : wrap == Wrap::Mirror ? "Mirror" : "Clamp";
-}
-
-/// Rows from the top, of grey texels.
-Image grey(const std::vector<std::vector<Real>>& rows) {
-    Image image = make_image(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x)
-            pixel(image, x, y) = Vec3(rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)]);
-    return image;
-}
 
 /// 1 2
 /// 3 4
 const Image four = grey({{1, 2}, {3, 4}});
-
-Image noise(int width, int height, Random& random) {
-    Image image = make_image(width, height);
-    for (Vec3& p : image.pixels) p = Vec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
-    return image;
-}
 
 /// The numbers of the texels at the places −3·size … 3·size − 1, written down one after the other.
 std::vector<int> laid_out(int size, Wrap wrap) {
@@ -170,7 +152,7 @@ TEST_CASE("bilinear is a sum of tents over the texels, laid out as they wrap", "
     for (int i = 0; i < cases(3000); ++i) {
         const int width = 1 + static_cast<int>(random.index(7)),
                   height = 1 + static_cast<int>(random.index(7));
-        const Image image = noise(width, height, random);
+        const Image image = random_image(width, height, random);
         const Wrap wrap = all_wraps[i % 3];
         const Vec2 uv(random.uniform(-1.9, 1.9), random.uniform(-1.9, 1.9));
         INFO(width << " x " << height << " texels, " << name_of(wrap) << ", uv = " << uv);
@@ -184,7 +166,7 @@ TEST_CASE("nearest is the texel whose square the point is in", "[11.2]") {
     for (int i = 0; i < cases(10000); ++i) {
         const int width = 1 + static_cast<int>(random.index(7)),
                   height = 1 + static_cast<int>(random.index(7));
-        const Image image = noise(width, height, random);
+        const Image image = random_image(width, height, random);
         const Wrap wrap = all_wraps[i % 3];
         // A place of the layout, and a point clearly inside of it.
         const std::vector<int> columns = laid_out(width, wrap), rows = laid_out(height, wrap);

@@ -9,25 +9,21 @@
 
 using namespace rt;
 using test::cases;
+using test::left;
 using test::near;
 using test::Random;
+using test::right;
 using test::towards;
+using test::up;
+using test::upper;
 
 namespace {
 
-const Vec3 up{0, 0, 1};
-
-/// Directions 60 degrees from the normal, by hand, on either side; and one of 45 degrees.
-const Vec3 right{std::sqrt(3.0) / 2, 0, 0.5}, left{-std::sqrt(3.0) / 2, 0, 0.5};
+/// A direction 45 degrees from the normal.
 const Vec3 slanted{std::sqrt(0.5), 0, std::sqrt(0.5)};
 
 /// Roughness with α = 1/2.
 const Real half_alpha = std::sqrt(0.5);
-
-Vec3 upper(Random& random) {
-    const Vec3 w = random.direction();
-    return {w.x, w.y, std::abs(w.z)};
-}
 
 Real density_by_tangent(Real alpha, const Vec3& h) {
     const Real cosine = h.z, tangent = std::hypot(h.x, h.y) / cosine, slope = tangent / alpha;
@@ -138,17 +134,7 @@ TEST_CASE("rough metal at angles by hand", "[11.14]") {
                (Vec3(1, 0.68, 0.04) + missing * Vec3(0, 0.32, 0.96)) * (32 / (49 * pi) * g1), gamma(64)));
 }
 
-TEST_CASE("below the surface rough metal is 0", "[11.14]") {
-    const RoughMetal metal{Vec3(1), 0.7};
-    for (const Vec3& below : {Vec3(0, 0, -1), Vec3(right.x, 0, -0.5), Vec3(1, 0, 0)}) {
-        INFO("one direction is " << below << ", the other " << right);
-        CHECK(near(evaluate(metal, below, right), Vec3(0), 0));
-        CHECK(near(evaluate(metal, right, below), Vec3(0), 0));
-        CHECK(near(pdf(metal, below, right), 0, 0));
-        CHECK(near(pdf(metal, right, below), 0, 0));
-        CHECK_FALSE(sample(metal, below, Vec3(0.25)).has_value());
-    }
-}
+TEST_CASE("below the surface rough metal is 0", "[11.14]") { test::check_below(RoughMetal{Vec3(1), 0.7}); }
 
 TEST_CASE("the density of rough metal's directions by hand", "[11.14]") {
     const RoughMetal metal{Vec3(1), half_alpha};

@@ -1,6 +1,7 @@
 // Step 11.3 at its ends: widths of all sizes, long thin images, places far away.
 #include "chapters/11_textures/mip_map.hpp"
 #include "common/math/error.hpp"
+#include "tests/11_textures/texel_images.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
@@ -10,19 +11,13 @@
 #include <vector>
 
 using namespace rt;
+using test::all_wraps;
 using test::cases;
 using test::near;
 using test::Random;
+using test::random_image;
 
 namespace {
-
-const Wrap all_wraps[] = {Wrap::Repeat, Wrap::Mirror, Wrap::Clamp};
-
-Image noise(int width, int height, Random& random) {
-    Image image = make_image(width, height);
-    for (Vec3& p : image.pixels) p = Vec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
-    return image;
-}
 
 int some_side(Random& random) { return 1 + static_cast<int>(random.magnitude(0, 2) - 0.5); }
 
@@ -57,7 +52,7 @@ TEST_CASE("weights of halves are not negative, and each texel counts alike", "[1
 TEST_CASE("widths and places of all sizes give colours of the image", "[11.3][stability]") {
     Random random(11312);
     for (int k = 0; k < cases(200); ++k) {
-        const Image image = noise(some_side(random), some_side(random), random);
+        const Image image = random_image(some_side(random), some_side(random), random);
         const MipMap map = mip_map(image);
         Vec3 least(1), greatest(0);
         for (const Vec3& p : image.pixels) least = glm::min(least, p), greatest = glm::max(greatest, p);
@@ -77,7 +72,7 @@ TEST_CASE("widths and places of all sizes give colours of the image", "[11.3][st
 TEST_CASE("continuous in the width, also where a level is whole", "[11.3][stability]") {
     Random random(11313);
     for (int k = 0; k < cases(2000); ++k) {
-        const Image image = noise(some_side(random), some_side(random), random);
+        const Image image = random_image(some_side(random), some_side(random), random);
         const MipMap map = mip_map(image);
         const Vec2 uv(random.uniform(0, 1), random.uniform(0, 1));
         const Real side = std::max(image.width, image.height);
@@ -95,7 +90,7 @@ TEST_CASE("continuous in the width, also where a level is whole", "[11.3][stabil
 TEST_CASE("the colour goes from level to level without a detour", "[11.3][stability]") {
     Random random(11314);
     for (int k = 0; k < cases(500); ++k) {
-        const Image image = noise(some_side(random), some_side(random), random);
+        const Image image = random_image(some_side(random), some_side(random), random);
         const MipMap map = mip_map(image);
         const Vec2 uv(random.uniform(0, 1), random.uniform(0, 1));
         const Real side = std::max(image.width, image.height);

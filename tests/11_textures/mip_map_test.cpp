@@ -3,7 +3,7 @@
 
 #include "chapters/11_textures/image_texture.hpp"
 #include "common/math/error.hpp"
-#include "common/math/stopwatch.hpp"
+#include "tests/11_textures/texel_images.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
@@ -11,31 +11,16 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <vector>
 
 using namespace rt;
+using test::all_wraps;
 using test::cases;
+using test::grey;
 using test::near;
 using test::Random;
+using test::random_image;
 
 namespace {
-
-const Wrap all_wraps[] = {Wrap::Repeat, Wrap::Mirror, Wrap::Clamp};
-
-/// Rows from the top, of grey texels.
-Image grey(const std::vector<std::vector<Real>>& rows) {
-    Image image = make_image(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x)
-            pixel(image, x, y) = Vec3(rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)]);
-    return image;
-}
-
-Image noise(int width, int height, Random& random) {
-    Image image = make_image(width, height);
-    for (Vec3& p : image.pixels) p = Vec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
-    return image;
-}
 
 Vec3 mean_of(const Image& image) {
     Vec3 sum(0);
@@ -128,7 +113,7 @@ TEST_CASE("down to a single texel, also of an image that is not square", "[11.3]
 
 TEST_CASE("the first level is the image itself", "[11.3]") {
     Random random(11301);
-    const Image image = noise(5, 3, random);
+    const Image image = random_image(5, 3, random);
     const MipMap map = mip_map(image);
     REQUIRE(!map.levels.empty());
     CHECK(map.levels.front().width == 5);
@@ -168,7 +153,7 @@ TEST_CASE("each texel of a level is the mean of what it covers", "[11.3]") {
     for (int i = 0; i < cases(2000); ++i) {
         const int width = 1 + static_cast<int>(random.index(12)),
                   height = 1 + static_cast<int>(random.index(12));
-        const Image image = noise(width, height, random);
+        const Image image = random_image(width, height, random);
         const MipMap map = mip_map(image);
         if (map.levels.size() < 2) continue;
         const Image& half = map.levels[1];
@@ -192,7 +177,7 @@ TEST_CASE("the mean of every level is the mean of the image", "[11.3]") {
     for (int i = 0; i < cases(500); ++i) {
         const int width = 1 + static_cast<int>(random.index(40)),
                   height = 1 + static_cast<int>(random.index(40));
-        const Image image = noise(width, height, random);
+        const Image image = random_image(width, height, random);
         const MipMap map = mip_map(image);
         for (std::size_t k = 0; k < map.levels.size(); ++k) {
             INFO(width << " x " << height << " texels, level " << k << " of " << sizes_of(map));
@@ -207,7 +192,7 @@ TEST_CASE("between two levels it goes straight from the one to the other", "[11.
     for (int i = 0; i < cases(3000); ++i) {
         const int width = 2 + static_cast<int>(random.index(30)),
                   height = 1 + static_cast<int>(random.index(30));
-        const MipMap map = mip_map(noise(width, height, random));
+        const MipMap map = mip_map(random_image(width, height, random));
         if (map.levels.size() < 2) continue;
         const std::size_t finer = random.index(map.levels.size() - 1);
         const Real way = random.uniform(0, 1);

@@ -9,17 +9,20 @@
 
 using namespace rt;
 using test::cases;
+using test::left;
+using test::mirrored_by_angles;
 using test::near;
 using test::Random;
+using test::right;
 using test::towards;
+using test::up;
 
 namespace {
 
-const Vec3 up{0, 0, 1}, down{0, 0, -1};
+const Vec3 down{0, 0, -1};
 
-/// 60 degrees from the normal, above and below, and what Snell makes of 60 degrees in glass of index 1.5: the
-/// sine is (√3/2)/1.5 = 1/√3.
-const Vec3 right{std::sqrt(0.75), 0, 0.5}, left{-std::sqrt(0.75), 0, 0.5};
+/// 60 degrees from the normal, below, and what Snell makes of 60 degrees in glass of index 1.5: the sine is
+/// (√3/2)/1.5 = 1/√3.
 const Vec3 right_below{std::sqrt(0.75), 0, -0.5}, left_below{-std::sqrt(0.75), 0, -0.5};
 const Vec3 bent{-std::sqrt(1.0 / 3), 0, -std::sqrt(2.0 / 3)};
 
@@ -34,17 +37,6 @@ const Real g1_right = 4 / (2 + std::sqrt(7.0));
 Real mirrored_at_60() {
     const Real across = (0.5 - std::sqrt(1.5)) / (0.5 + std::sqrt(1.5));
     const Real along = (0.75 - std::sqrt(2.0 / 3)) / (0.75 + std::sqrt(2.0 / 3));
-    return (across * across + along * along) / 2;
-}
-
-/// Fresnel by Snell's angles.
-Real mirrored_by_angles(Real cosine, Real n_before, Real n_behind) {
-    if (cosine > 1 - 1e-9) return std::pow((n_before - n_behind) / (n_before + n_behind), 2);
-    const Real before = std::acos(cosine), sine = std::sin(before) * n_before / n_behind;
-    if (sine >= 1) return 1;
-    const Real behind = std::asin(sine);
-    const Real across = std::sin(before - behind) / std::sin(before + behind);
-    const Real along = std::tan(before - behind) / std::tan(before + behind);
     return (across * across + along * along) / 2;
 }
 

@@ -9,22 +9,19 @@
 
 using namespace rt;
 using test::cases;
+using test::left;
 using test::near;
 using test::Random;
+using test::right;
 using test::towards;
+using test::up;
+using test::upper;
 
 namespace {
 
-const Vec3 up{0, 0, 1};
-
-/// Directions by hand: 60 degrees from the normal to three sides, and 30 and 45 degrees.
-const Vec3 right{std::sqrt(0.75), 0, 0.5}, left{-std::sqrt(0.75), 0, 0.5}, forth{0, std::sqrt(0.75), 0.5};
+/// Directions by hand: 60 degrees from the normal to a third side, and 30 and 45 degrees.
+const Vec3 forth{0, std::sqrt(0.75), 0.5};
 const Vec3 steep{0.5, 0, std::sqrt(0.75)}, slanted{std::sqrt(0.5), 0, std::sqrt(0.5)};
-
-Vec3 upper(Random& random) {
-    const Vec3 w = random.direction();
-    return {w.x, w.y, std::abs(w.z)};
-}
 
 /// What rounding may do to a lobe, as a part of it: the contract's.
 Real part(Real sigma, const Vec3& l, const Vec3& v) {
@@ -128,17 +125,7 @@ TEST_CASE("velvet at angles by hand", "[11.16]") {
                Vec3(1, 0.5, 0) * (4 / (pi * std::exp(1.0)) * narrow / std::sqrt(3.0)), gamma(64)));
 }
 
-TEST_CASE("below the surface velvet is 0", "[11.16]") {
-    const Velvet velvet{Vec3(1), 0.7};
-    for (const Vec3& below : {Vec3(0, 0, -1), Vec3(right.x, 0, -0.5), Vec3(1, 0, 0)}) {
-        INFO("one direction is " << below << ", the other " << right);
-        CHECK(near(evaluate(velvet, below, right), Vec3(0), 0));
-        CHECK(near(evaluate(velvet, right, below), Vec3(0), 0));
-        CHECK(near(pdf(velvet, below, right), 0, 0));
-        CHECK(near(pdf(velvet, right, below), 0, 0));
-        CHECK_FALSE(sample(velvet, below, Vec3(0.25)).has_value());
-    }
-}
+TEST_CASE("below the surface velvet is 0", "[11.16]") { test::check_below(Velvet{Vec3(1), 0.7}); }
 
 TEST_CASE("the density of velvet's directions by hand", "[11.16]") {
     // 60° and back: D·½/(4·½).

@@ -179,10 +179,10 @@ TEST_CASE("a gradient mixes the horizon's colour with the zenith's or the nadir'
 
 TEST_CASE("a direction is turned clockwise, so that the picture turns counterclockwise", "[11.8]") {
     const Real bound = 4 * unit_roundoff;
-    CHECK(test::near(turned({1, 2, 3}, 0), Vec3(1, 2, 3), bound));
-    CHECK(test::near(turned({0, 2, -1}, 90), Vec3(1, 2, 0), bound));
-    CHECK(test::near(turned({1, 0, 0}, -90), Vec3(0, 0, -1), bound));
-    CHECK(test::near(turned({1, 0, 0}, 180), Vec3(-1, 0, 0), bound));
+    CHECK(test::near(turned({1, 2, 3}, turn_by(0)), Vec3(1, 2, 3), bound));
+    CHECK(test::near(turned({0, 2, -1}, turn_by(pi / 2)), Vec3(1, 2, 0), bound));
+    CHECK(test::near(turned({1, 0, 0}, turn_by(-pi / 2)), Vec3(0, 0, -1), bound));
+    CHECK(test::near(turned({1, 0, 0}, turn_by(pi)), Vec3(-1, 0, 0), bound));
 }
 
 TEST_CASE("the sky's light: one colour, a gradient", "[11.8]") {
@@ -204,9 +204,10 @@ Image small_picture() {
     return image;
 }
 
-void check_seen(SkyMap map, Real turn, const Vec3& direction, const Vec3& expected) {
-    const ImageSky sky{std::make_shared<const Image>(small_picture()), map, turn};
-    INFO("a sky of 4 by 2 pixels, " << name(map) << ", turned by " << turn << " degrees; red is the column, "
+void check_seen(SkyMap map, Real degrees, const Vec3& direction, const Vec3& expected) {
+    const ImageSky sky{std::make_shared<const Image>(small_picture()), map, turn_by(radians(degrees))};
+    INFO("a sky of 4 by 2 pixels, " << name(map) << ", turned by " << degrees
+                                    << " degrees; red is the column, "
                                     << "blue the upper row; direction " << direction);
     // The place is 16u off at most, times 4 columns, and colours differ by at most 3 from one to the next.
     CHECK(test::near(sky_radiance(sky, direction), expected, 16 * u16));

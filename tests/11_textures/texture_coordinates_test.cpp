@@ -45,6 +45,10 @@ void check_against(const Shape& shape, std::uint32_t element, const Vec2& uv, Re
     const TexturePoint texture = texture_point(shape, p, element);
     INFO(shape << ", element " << element << ", p = " << p << ", which is at uv = " << uv);
     CHECK(near(texture.uv, uv, 1e-10));
+    {
+        INFO("uv without the tangents");
+        CHECK(near(texture_uv(shape, p, element), texture.uv, 0));
+    }
     // A difference over 2h is wrong by h²/6 times the third derivative, at most (2π)³ times the size, and by
     // 4u/h times the size: 4e-8 and 1e-11 of it.
     const Real h = 3e-5;
@@ -266,6 +270,17 @@ TEST_CASE("points of the sides of cones and cylinders, and steps along their tan
             return (1 - at.y) * side.cone.a + at.y * side.cone.b +
                    radius * (std::cos(turn * at.x) * axes.u - std::sin(turn * at.x) * axes.v);
         });
+    }
+}
+
+TEST_CASE("a solid cone's uv without its tangents, on the side and on the ends", "[11.1]") {
+    const Cone cone{{0, 0, 0}, 1, {0, 2, 0}, 0.5};
+    const Vec3 points[] = {{0, 1, 0.75}, {0.5, 0, -0.25}, {-0.125, 2, 0.25}};
+    for (std::uint32_t element = 0; element < 3; ++element) {
+        INFO("cone from (0, 0, 0) to (0, 2, 0) with radii 1 and 0.5, element "
+             << element << ", p = " << points[element]);
+        const Vec2 uv = texture_point(cone, points[element], element).uv;
+        CHECK(near(texture_uv(cone, points[element], element), uv, 0));
     }
 }
 

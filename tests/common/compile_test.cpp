@@ -462,11 +462,22 @@ bool has_picture_in_units(const Scene& scene, const Object& object) {
            scene.texturings[static_cast<std::size_t>(texturing)].picture;
 }
 
+// Lights with an extent, with lengths times `unit`.
+void enlarge(QuadLight& quad, Real unit) { quad.corner *= unit, quad.ab *= unit, quad.ac *= unit; }
+void enlarge(DiscLight& disc, Real unit) { disc.center *= unit, disc.radius *= unit; }
+void enlarge(SphereLight& sphere, Real unit) { sphere.center *= unit, sphere.radius *= unit; }
+void enlarge(TriangleLight& triangle, Real unit) {
+    triangle.a *= unit, triangle.b *= unit, triangle.c *= unit;
+}
+
 /// The scene in another unit of length: every length times 2^k. Attenuation and absorption are per length.
 Scene in_other_units(Scene scene, int k) {
     const Real unit = std::ldexp(Real(1), k);
     Camera& camera = scene.camera;
     camera.eye *= unit, camera.look_at *= unit, camera.view_height *= unit;
+    scene.lens.radius *= unit, scene.lens.distance *= unit, scene.camera_motion *= unit;
+    for (AreaLightObject& object : scene.area_lights)
+        std::visit([unit](auto& shape) { enlarge(shape, unit); }, object.light.shape);
     for (Vec3& v : scene.vertices) v *= unit;
     for (SmoothVertex& v : scene.smooth_vertices) v.position *= unit;
     for (Mesh& mesh : scene.meshes)
@@ -480,6 +491,7 @@ Scene in_other_units(Scene scene, int k) {
         if (auto* move = std::get_if<Translate>(&node.step)) move->by *= unit;
     for (std::vector<Object>* objects : {&scene.objects, &scene.parts})
         for (Object& object : *objects) {
+            object.motion *= unit;
             if (has_picture_in_units(scene, object)) {
                 scene.transforms.push_back({object.transform, Scale{Vec3(unit)}, object.place});
                 object.transform = static_cast<int>(scene.transforms.size()) - 1;

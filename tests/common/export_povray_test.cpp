@@ -1,5 +1,6 @@
 // The export for POV-Ray: statements that mean the same there, and plain words where there are none.
 #include "common/povray/export.hpp"
+#include "common/render/snapshots.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
@@ -20,7 +21,8 @@ namespace {
 constexpr auto head = "version 1\nsize 40 30\ncamera 0 0 5  0 0 0  0 1 0  90\n";
 
 std::string exported(const std::string& commands) {
-    return export_povray(parse_scene_text(head + commands, "small.scene"));
+    const Scene scene = parse_scene_text(head + commands, "small.scene");
+    return export_povray(scene, snapshots_of(scene));
 }
 
 std::string error_of(const std::string& commands) {
@@ -432,9 +434,13 @@ TEST_CASE("every reference scene is exported, to the same text each time", "[exp
         if (!is_complete) continue;
         ++count;
         std::string text;
-        REQUIRE_NOTHROW(text = export_povray(parse_scene(entry.path())));
+        const auto again = [&] {
+            const Scene scene = parse_scene(entry.path());
+            return export_povray(scene, snapshots_of(scene));
+        };
+        REQUIRE_NOTHROW(text = again());
         CHECK(contains(text, "camera {"));
-        CHECK(text == export_povray(parse_scene(entry.path())));
+        CHECK(text == again());
         CHECK_FALSE(contains(text, "nan"));
         CHECK_FALSE(contains(text, "inf"));
     }
@@ -465,6 +471,20 @@ TEST_CASE("how POV-Ray makes a picture of several samples a pixel", "[export]") 
         (run("spp 25\nsampler trapezoid").options == std::vector<std::string>{"+AM2", "+A0.0", "+R3", "-J"}));
     CHECK(
         (run("spp 10\nsampler centered").options == std::vector<std::string>{"+AM1", "+A0.0", "+R3", "-J"}));
+    // Of what is blurred, each sample is a picture.
+    for (const char* text : {"lens .1 4\n", "cameramotion 1 0 0\n", "motion 1 0 0\nsphere 0 0 0 1\n",
+                             "lightsampling area\nsphereLight 0 3 0 .5 1 1 1\n"}) {
+        INFO(text);
+        CHECK(run(std::string(text) + "spp 8\nsampler regular").frames == 8);
+        CHECK(run(std::string(text) + "spp 9\nsampler trapezoid\nfilter tent").frames == 9);
+        CHECK(run(std::string(text) + "spp 8\nsampler regular").options.empty());
+        CHECK(run(std::string(text) + "spp 8\nsampler regular").exact);
+        CHECK(run(std::string(text) + "spp 8\nsampler regular").filter);
+        CHECK(run(text).frames == 1);
+        CHECK(run(text).exact);
+        CHECK_FALSE(run(std::string(text) + "spp 8").exact);
+    }
+    CHECK(run("spp 8\nsampler regular\nmotion 0 0 0\nsphere 0 0 0 1\nlens 0 4").frames == 1);
     // What POV-Ray cannot repeat: its mean is known from other samples.
     for (const char* text : {"spp 8\nsampler regular", "spp 16\nsampler trapezoid", "spp 9\nsampler centered",
                              "spp 16", "spp 9\nsampler trapezoid\nfilter tent", "spp 4\nsampler poisson"}) {
@@ -472,4 +492,166 @@ TEST_CASE("how POV-Ray makes a picture of several samples a pixel", "[export]") 
         CHECK_FALSE(run(text).exact);
         CHECK(run(text).scale == 8);
     }
+}
+
+// What blurs, one snapshot at a time ------------------------------------------------------------------------
+
+namespace {
+
+std::string still(const std::string& commands, const Snapshot& snapshot) {
+    return export_povray(parse_scene_text(head + commands, "small.scene"), {&snapshot, 1});
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("a place on the lens moves POV-Ray's camera, and leans it back to the plane in focus", "[export]") {
+    const std::string commands = "integrator flat\nlens 1 4\n";
+    const std::string right = still(commands, {.lens = Vec2(1, 0)});
+    INFO(right);
+    CHECK(contains(right, "location <1, 0, 5>"));
+    CHECK(contains(right, "direction <-0.25, 0, -1>"));
+    const std::string up = still(commands, {.lens = Vec2(0, 0.5)});
+    INFO(up);
+    CHECK(contains(up, "location <0, 0.5, 5>"));
+    CHECK(contains(up, "direction <0, -0.125, -1>"));
+    const std::string flat = still(commands + "orthographic 3\n", {.lens = Vec2(1, 0)});
+    INFO(flat);
+    CHECK(contains(flat, "location <1, 0, 5>"));
+    CHECK(contains(flat, "direction <-0.25, 0, -1>"));
+    CHECK(still(commands, {}) == exported("integrator flat\n"));
+}
+
+TEST_CASE("a lens becomes larger as the scene does", "[export]") {
+    const std::string text =
+        export_povray(parse_scene_text("size 40 30\ncamera 0 0 5e-5  0 0 0  0 1 0  90\nintegrator flat\n"
+                                       "lens 1e-5 4e-5\nmotion 2e-5 0 0\nsphere 0 0 0 1e-5\n",
+                                       "small.scene"),
+                      std::vector<Snapshot>{{.lens = Vec2(1e-5, 0), .time = 0.5}});
+    INFO(text);
+    const Real factor = numbers_after(text, "All lengths are").at(0);
+    CHECK(numbers_after(text, "location").at(0) == Approx(1e-5 * factor));
+    CHECK(numbers_after(text, "direction").at(0) == Approx(-0.25));
+    CHECK(numbers_after(text, "matrix").at(9) == Approx(1e-5 * factor));
+}
+
+TEST_CASE("a place in the pixel moves POV-Ray's picture by a part of a pixel", "[export]") {
+    const Snapshot aside{.at = Vec2(0.75, 1)};
+    const auto test = [&](const std::string& commands, const char* word) {
+        const std::string text = still(commands, aside);
+        INFO(text);
+        const std::vector<Real> middle = numbers_after(exported(commands), word),
+                                moved = numbers_after(text, word);
+        const Real right = numbers_after(text, "right").at(0), up = numbers_after(text, "up").at(1);
+        CHECK(moved.at(0) - middle.at(0) == Approx(right / 40 / 4));
+        CHECK(moved.at(1) - middle.at(1) == Approx(-up / 30 / 2));
+        CHECK(moved.at(2) == middle.at(2));
+    };
+    test("integrator flat\n", "direction");
+    test("integrator flat\northographic 3\n", "location");
+}
+
+TEST_CASE("what moves is exported where it is at a time", "[export]") {
+    const std::string commands =
+        "cameramotion 0 1 0\nmotion 1 2 3\nsphere 0 0 0 1\nscale 2 2 2\nsphere 0 0 0 1\nmotion 0 0 0\n"
+        "sphere 0 0 0 4\n";
+    const std::string text = still(commands, {.time = 0.5});
+    INFO(text);
+    CHECK(contains(text, "location <0, 0.5, 5>"));
+    CHECK(contains(text, "direction <0, 0, -1>"));
+    CHECK(contains(text, "sphere { <0, 0, 0>, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5, 1, 1.5> texture"));
+    CHECK(contains(text, "sphere { <0, 0, 0>, 1 matrix <2, 0, 0, 0, 2, 0, 0, 0, 2, 0.5, 1, 1.5> texture"));
+    CHECK(contains(text, "sphere { <0, 0, 0>, 4 matrix <2, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0> texture"));
+    CHECK(contains(still("motion 0 0 1\nintersection\nsphere 0 0 0 1\nsphere 1 0 0 1\nend\n", {.time = 0.25}),
+                   "sphere { <1, 0, 0>, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.25>"));
+}
+
+TEST_CASE("a point of an area light is a spotlight whose power of the cosine is 1", "[export]") {
+    const std::string commands = "lightsampling area\nmaxdepth 0\ndiscLight 0 2 0  0 -1 0  .5  1 1 1\n";
+    const std::string text =
+        still(commands, {.lights = {{{0, 2, 0}, {0, -1, 0}, Vec3(3)}, {{1, 2, 0}, {0, -1, 0}, Vec3(0)}}});
+    INFO(text);
+    CHECK(count_of(text, "light_source") == 1);
+    CHECK(contains(text, "light_source { <0, 2, 0> rgb "));
+    CHECK(numbers_after(text, "light_source { <0, 2, 0> rgb ").at(0) == Approx(1.5e12));
+    CHECK(contains(text,
+                   " spotlight point_at <0, 1, 0> radius 90 falloff 90 tightness 1 fade_distance 1e-06 "
+                   "fade_power 2 }"));
+}
+
+TEST_CASE("area lights are seen on their bright side, by integrators that look at lights", "[export]") {
+    const std::string lights =
+        "lightsampling area\nquadLight -1 2 -1  0 0 2  2 0 0  .5 .25 0\ndiscLight 0 2 0  0 -2 0  .5  1 1 1\n"
+        "sphereLight 1 2 3  .5  1 1 1\ntriangleLight 0 0 0  1 0 0  0 1 0  1 1 1\n";
+    const std::string glow = " texture { pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }";
+    const std::string dark = " interior_texture { pigment { rgb 0 } finish { ambient 0 diffuse 0 } }";
+    const std::string text = exported(lights);
+    INFO(text);
+    // Shines downwards: −(ab × ac). Its corners run clockwise as seen from there.
+    CHECK(contains(text,
+                   "polygon { 5, <-1, 2, -1>, <1, 2, -1>, <1, 2, 1>, <-1, 2, 1>, <-1, 2, -1> texture { "
+                   "pigment { rgb <0.5, 0.25, 0> }"));
+    CHECK(contains(text, "disc { <0, 2, 0>, <0, -1, 0>, 0.5" + glow + dark + " }"));
+    CHECK(contains(text, "sphere { <1, 2, 3>, 0.5" + glow + dark + " }"));
+    CHECK(contains(text, "triangle { <0, 0, 0>, <0, 1, 0>, <1, 0, 0>" + glow + dark + " }"));
+    CHECK(contains(exported("shadows off\n" + lights), dark + " no_shadow }"));
+    const std::string flat = exported("integrator flat\n" + lights);
+    CHECK(contains(flat, "disc { <0, 2, 0>, <0, -1, 0>, 0.5" + glow + " }"));
+    CHECK_FALSE(contains(flat, "light_source"));
+    CHECK(contains(exported("integrator normals\n" + lights),
+                   "disc { <0, 2, 0>, <0, -1, 0>, 0.5 texture { Normal } }"));
+    CHECK_FALSE(contains(exported("integrator directions\n" + lights), "disc"));
+    CHECK(error_of("integrator uv\n" + lights)
+              .starts_with("small.scene:6:1: POV-Ray cannot express this light: "));
+}
+
+TEST_CASE("a blurred picture is an animation, a frame a sample", "[export]") {
+    const std::string text = exported("spp 12\nsampler regular\nlens .1 4\nsphere 0 0 0 1\n");
+    INFO(text.substr(0, 1000));
+    CHECK(contains(text,
+                   "-D -A File_Gamma=1.0 +KFI0 +KFF11\n// then a pixel's samples are those of 12 pictures"));
+    CHECK(contains(text, "\n#version 3.7;\n#switch (frame_number)\n#case (0)\n#version 3.7;"));
+    CHECK(contains(text, "#break\n#case (11)\n"));
+    CHECK(text.ends_with("#break\n#end\n"));
+    CHECK(count_of(text, "camera {") == 12);
+    CHECK(count_of(text, "written by") == 1);
+    CHECK(count_of(exported("lens .1 4\nsphere 0 0 0 1\n"), "camera {") == 1);
+}
+
+TEST_CASE("what pixels do not share is refused, with the word that helps", "[export]") {
+    const std::string no_scene = "small.scene: POV-Ray cannot express this scene: ";
+    const std::string light = "discLight 0 2 0  0 -1 0  .5  1 1 1\n",
+                      ball = "diffuse 1 1 1\nsphere 0 0 0 1\n";
+    const auto refused = [&](const std::string& commands, const std::string& where, const std::string& what) {
+        const std::string error = error_of(commands);
+        INFO(error);
+        CHECK(error.starts_with(where));
+        CHECK(contains(error, what));
+    };
+    refused("spp 4\nlens .1 4\n", no_scene, "'sampler regular'");
+    refused("spp 4\nsampler sobol\ncameramotion 1 0 0\n", no_scene, "'sampler regular'");
+    refused(light, no_scene, "'lightsampling area'");
+    refused("lightsampling area\nlightchoice one\n" + light, no_scene, "'lightchoice all'");
+    refused("integrator direct\n" + light, no_scene, "physical");
+    refused("lightsampling area\nspecular 1 1 1\n" + ball + light,
+            "small.scene:8:1: POV-Ray cannot express this light: ", "'maxdepth 0'");
+    CHECK(error_of("lightsampling area\nmaxdepth 0\nspecular 1 1 1\n" + ball + light).empty());
+    CHECK(error_of("lightsampling area\n" + ball + light).empty());
+    CHECK(error_of("lens .1 4\nspecular 1 1 1\n" + ball).empty());
+    refused("gloss 50\nspecular 1 1 1\n" + ball,
+            "small.scene:7:1: POV-Ray cannot express this object: ", "spread");
+    CHECK(error_of("gloss 50\nmaxdepth 0\nspecular 1 1 1\n" + ball).empty());
+    CHECK(error_of("brdf ggx\nroughness .5\n" + ball).empty());
+    // The ball begins 4 in front of the eye, which comes nearer.
+    const std::string glass = "ambient 0 0 0\ntransmission 1 1 1\nior 1.5\nsphere 0 0 0 1\n";
+    CHECK(error_of("spp 4\nsampler regular\ncameramotion 0 0 -3\n" + glass).empty());
+    refused("spp 4\nsampler regular\ncameramotion 0 0 -5\n" + glass,
+            "small.scene:10:1: POV-Ray cannot express this object: ", "the eye at some time");
+    refused("spp 16\nsampler regular\nlens 3 4\n" + glass + "translate 3 0 5\nsphere 0 0 0 2\n",
+            "small.scene:12:1: POV-Ray cannot express this object: ", "a part of the lens");
 }

@@ -204,6 +204,58 @@ TEST_CASE("glass that encloses nothing is an error at its line", "[glass]") {
     CHECK(error_in(head + "maxdepth 0\nior 1.5\ntri 0 1 2\n").empty());
 }
 
+TEST_CASE("glass that its box cuts open is an error at its line", "[glass]") {
+    const std::string head = "camera 0 0 5 0 0 0 0 1 0 40\ntransmission 1 1 1\n";
+    const auto error = [&](const std::string& shape) { return error_in(head + "ior 1.5\n" + shape + "\n"); };
+    CHECK(error("implicit -1 -1 -1 1 1 .5 x^2+y^2+z^2-.9") ==
+          "test.scene:4:1: a transparent implicit surface that its box cuts open: at 0 0 0.5, on a face, is "
+          "its "
+          "inside; make the box larger, or close it by an `intersection` with a `box`");
+    const std::string why = " that its box cuts open: ";
+    CHECK(error("quadric 1 0 1 0 0 0 0 0 0 -.5   -1 -1 -1 1 1 1")
+              .find("test.scene:4:1: a transparent quadric" + why) == 0);
+    CHECK(error_in(head + "absorption 0 0 1\nquadric 1 1 1 0 0 0 0 0 0 -1.1   -1 -2 -2 1 2 2\n").find(why) !=
+          std::string::npos);
+    // A small opening, away from the middle; and one where the values are of all sizes.
+    CHECK(error("implicit -1 -1 -1 1 1 1 (x-.3)^2+(y-.2)^2+z^2-.700001^2").find(why) != std::string::npos);
+    CHECK(error("implicit -1 -1 -1 1 1 1 exp(9*x)*exp(-9*y)-2").find(why) != std::string::npos);
+    // An inside that fills the box; and one that ends where there is no value.
+    CHECK(error("implicit -1 -1 -1 1 1 1 x-2").find(why) != std::string::npos);
+    CHECK(error("implicit -1 -1 -1 1 1 1 sqrt(x)-.9").find(why) != std::string::npos);
+    // Where no ray goes through things, nothing is asked for.
+    CHECK(error_in(head + "maxdepth 0\nior 1.5\nquadric 1 0 1 0 0 0 0 0 0 -.5   -1 -1 -1 1 1 1\n").empty());
+}
+
+TEST_CASE("a closed surface is a body of glass, also if it touches its box or a combination closes it",
+          "[glass]") {
+    const std::string head = "camera 0 0 5 0 0 0 0 1 0 40\ntransmission 1 1 1\nior 1.5\n";
+    for (const std::string shape :
+         {"implicit -1 -1 -1 1 1 1 x^2+y^2+z^2-.99", "implicit -1 -1 -1 1 1 1 x^2+y^2+z^2-1",
+          "implicit -.3 -.3 -.3 .3 .3 .3 x^2+y^2+z^2-.09", "implicit -.7 -.7 -.7 .7 .7 .7 x^2+y^2+z^2-.49",
+          "implicit -1 -1 -1 1 1 1 max(abs(x),max(abs(y),abs(z)))-1",
+          "implicit -2 -2 -2 2 2 2 1/2-exp(-2*x^2-2*y^2-2*(z-1/2)^2)-exp(-2*x^2-2*y^2-2*(z+1/2)^2)",
+          "implicit -2 -2 -2 2 2 2 (x^2+9/4*y^2+z^2-1)^3-x^2*z^3-9/80*y^2*z^3",
+          "implicit -2 -1 -1 2 1 1 -sqrt(1-x^2-y^2-z^2)", "implicit -1 -1 -1 1 1 1 x^2+1",
+          "quadric 1 1 1 0 0 0 0 0 0 -1   -1 -1 -1 1 1 1",
+          "quadric 1 2 3 .1 .2 .3 .1 .2 .3 -1   -2 -2 -2 2 2 2",
+          "quadric 25 4 1 0 0 0 0 0 0 -1   -.2 -.5 -1 .2 .5 1",
+          "intersection\nquadric 1 0 1 0 0 0 0 0 0 -.5   -1 -1 -1 1 1 1\nbox -1 -1 -1 1 1 1\nend"}) {
+        INFO(shape);
+        CHECK(error_in(head + shape + "\n") == "");
+        CHECK(world_of(head + shape + "\n").sheets.empty());
+    }
+}
+
+TEST_CASE("what its box cuts open may filter, as a sheet", "[glass]") {
+    const std::string half = "ior 1\nimplicit -.7 -.7 -.7 .7 .7 0 x^2+y^2+z^2-.4\n";
+    CHECK(world_of(floor_scene + half).sheets == std::vector<std::uint32_t>{1});
+    // Around it a ball of glass goes on to be what is around the ray.
+    const std::string ball = "ior 1.5\nsphere 0 0 0 .8\n";
+    const Image alone = picture_of(floor_scene + ball);
+    CHECK(differing(picture_of(floor_scene + ball + half), alone, 1e-12) == 0);
+    CHECK(differing(picture_of(floor_scene + half + ball), alone, 1e-12) == 0);
+}
+
 TEST_CASE("a sheet that only filters needs no inside, and has none", "[glass]") {
     // A pane in the middle of a ball of glass: the ball goes on to be what is around the ray.
     const std::string pane = "ior 1\nvertex -9 -9 0\nvertex 9 -9 0\nvertex 9 9 0\nvertex -9 9 0\n";

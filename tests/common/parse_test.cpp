@@ -86,6 +86,11 @@ Example example_of(const SceneCommand& command) {
         {"difference", {"difference", "", "\nsphere 0 0 0 1\nsphere 1 0 0 1\nend"}},
         {"end", {"end", "union\nsphere 0 0 0 1\nsphere 1 0 0 1\n"}},
         {"implicit", {"implicit 0 0 0 1 1 1 x-y", ""}},
+        {"quadLight", {"quadLight 0 0 0 1 0 0 0 1 0 1 1 1", ""}},
+        {"triangleLight", {"triangleLight 0 0 0 1 0 0 0 1 0 1 1 1", ""}},
+        {"meshLight", {"meshLight a.obj 1 1 1", ""}},
+        {"aperture", {"aperture 5 1", ""}},
+        {"shutter", {"shutter .5 .5", ""}},
         {"quadric", {"quadric 1 1 1 0 0 0 0 0 0 -1 0 0 0 1 1 1", ""}},
     };
     if (const auto other = others.find(command.name); other != others.end()) return other->second;
@@ -594,12 +599,12 @@ TEST_CASE("lenient reading skips what other programs may know, says so, and forg
     std::vector<std::string> warnings;
     const ParseOptions lenient{.lenient = true, .warnings = &warnings};
     CHECK(parse("spere 0 0 0 1\nsphere 0 0 0 1\nmotionblur", lenient).objects.size() == 1);
-    CHECK(warnings ==
-          std::vector<std::string>{"s:1:1: unknown command 'spere'; did you mean 'sphere'? (line skipped)",
-                                   "s:3:1: unknown command 'motionblur' (line skipped)"});
+    CHECK(warnings == std::vector<std::string>{
+                          "s:1:1: unknown command 'spere'; did you mean 'sphere'? (line skipped)",
+                          "s:3:1: unknown command 'motionblur'; did you mean 'motion'? (line skipped)"});
     warnings.clear();
     const Scene scene = parse(
-        "integrator direct\nmaxdepth -1\nspp 0\nsphere 0 0 0 1 red\nshadows maybe\nseed 1.5\n", lenient);
+        "integrator pathtracer\nmaxdepth -1\nspp 0\nsphere 0 0 0 1 red\nshadows maybe\nseed 1.5\n", lenient);
     CHECK(scene.integrator == Integrator::Raytrace);
     CHECK(scene.max_depth == 5);
     CHECK(scene.sampling.count == 1);
@@ -607,7 +612,7 @@ TEST_CASE("lenient reading skips what other programs may know, says so, and forg
     CHECK(scene.shadows);
     REQUIRE(warnings.size() == 6);
     CHECK(warnings[0] ==
-          "s:1:12: 'direct' is not a known integrator; it comes with chapter 12; expected: integrator " +
+          "s:1:12: 'pathtracer' is not a known integrator; it comes with chapter 14; expected: integrator " +
               integrator_words + " (line skipped)");
     CHECK(warnings[1] == "s:2:10: the number of bounces must be from 0 to 2147483647, not -1 (line skipped)");
     CHECK(warnings[3] ==
@@ -622,6 +627,52 @@ TEST_CASE("lenient reading skips what other programs may know, says so, and forg
     CHECK(parse("spere", {.lenient = true}).objects.empty());
 }
 
+TEST_CASE("what blurs is stored, and refused where it means nothing") {
+    const Scene scene = parse(
+        "lens .25 7\naperture 5 90\nshutter .125 .25\ncameramotion 1 2 3\nlightsamples 9\nlightstratify on\n"
+        "lightsampling area\nlightchoice one\ngamma 2.2\nquadLight 0 3 0  1 0 0  0 0 1  4 5 6\n"
+        "motion 0 1 0\ngloss 50\nsphere 0 0 0 1\nmotion 0 0 0\ntranslucency 60\nbrdf ggx\nroughness .5\n"
+        "sphere 0 0 0 1\n");
+    CHECK(scene.lens.radius == 0.25);
+    CHECK(scene.lens.distance == 7);
+    CHECK(scene.lens.sides == 5);
+    CHECK(scene.lens.turn == Approx(pi / 2));
+    CHECK(scene.shutter.opening == 0.125);
+    CHECK(scene.shutter.closing == 0.25);
+    CHECK(scene.camera_motion == Vec3(1, 2, 3));
+    CHECK(scene.light_samples.count == 9);
+    CHECK(scene.light_samples.stratified);
+    CHECK(scene.light_samples.how == LightSampling::Area);
+    CHECK_FALSE(scene.light_samples.all);
+    CHECK(scene.gamma == 2.2);
+    REQUIRE(scene.area_lights.size() == 1);
+    CHECK(scene.area_lights[0].light.radiance == Vec3(4, 5, 6));
+    CHECK(std::get<QuadLight>(scene.area_lights[0].light.shape).ac == Vec3(0, 0, 1));
+    REQUIRE(scene.objects.size() == 2);
+    CHECK(scene.objects[0].motion == Vec3(0, 1, 0));
+    CHECK(scene.objects[1].motion == Vec3(0));
+    const auto finish = [&](std::size_t i) {
+        return scene.finishes[static_cast<std::size_t>(scene.materials[scene.objects[i].material].finish)];
+    };
+    CHECK(finish(0).gloss == 50);
+    CHECK(finish(0).translucency == 0);
+    CHECK(finish(1).translucency == 60);
+    CHECK(finish(1).brdf == Brdf::Ggx);
+    CHECK(finish(1).roughness == 0.5);
+
+    CHECK(error_of("quadLight 0 0 0  1 0 0  2 0 0  1 1 1") ==
+          "s:1:1: this light has no area: its edges have no length, or one direction");
+    CHECK(error_of("sphereLight 0 0 0  1  1 -1 1") != "");
+    CHECK(error_of("lens -1 5") != "");
+    CHECK(error_of("lens 1 0") != "");
+    CHECK(error_of("aperture 2") == "s:1:10: an aperture has 3 sides or more, or 0 if it is round");
+    CHECK(error_of("shutter .6 .5") ==
+          "s:1:12: opening and closing are parts of the whole time: together 1 at most");
+    CHECK(error_of("gloss 1e9") != "");
+    CHECK(error_of("roughness 2") == "s:1:11: the roughness must be from 0 to 1, not 2");
+    CHECK(error_of("lightsamples 0") != "");
+}
+
 TEST_CASE("words that other programs use are known by what they are called here") {
     const auto hint = [](const std::string& line) {
         const std::string message = error_of(line);
@@ -633,7 +684,8 @@ TEST_CASE("words that other programs use are known by what they are called here"
     CHECK(hint("antialias 4") == "; did you mean 'spp'?");
     CHECK(hint("samples 4") == "; did you mean 'spp'?");
     CHECK(hint("light 0 0 0 1 1 1") == "; did you mean 'point' or 'directional'?");
-    CHECK(hint("quadLight -1 2 -1 2 0 0 0 0 2 5 5 5") == "; it comes with chapter 12");
+    CHECK(hint("areaLight -1 2 -1 2 0 0 0 0 2 5 5 5") == "; did you mean 'quadLight'?");
+    CHECK(hint("dof .1 5") == "; did you mean 'lens'?");
     CHECK(hint("integrator whitted") == "; did you mean 'raytrace'?");
     CHECK(hint("integrator pathtracer") == "; it comes with chapter 14");
     CHECK(hint("shadows true") == "; did you mean 'on'?");

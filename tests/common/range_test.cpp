@@ -52,6 +52,24 @@ TEST_CASE("a plane's normal may have any length but 0", "[range]") {
     }
 }
 
+TEST_CASE("a vector is brought near 1 without a rounding, whatever its length", "[range]") {
+    const Vec3 v(-1.9, 0x1.23456789abcdep-20, 0.3);
+    for (int exponent = -1080; exponent <= 1023; ++exponent) {
+        const Vec3 there(std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent));
+        const Vec3 near = near_one(there);
+        INFO("times 2^" << exponent << ": " << there << " becomes " << near);
+        if (there == Vec3(0)) {
+            CHECK(near == there);
+            continue;
+        }
+        CHECK((size_of(near) >= 1 && size_of(near) < 2));
+        // Tiny numbers have lost digits before.
+        const int back = std::ilogb(near.x) - std::ilogb(there.x);
+        CHECK(near == Vec3(std::ldexp(there.x, back), std::ldexp(there.y, back), std::ldexp(there.z, back)));
+        if (exponent > -1000) CHECK(near == v);
+    }
+}
+
 TEST_CASE("a camera may look at a near point or a far one, with an up direction of any length", "[range]") {
     const std::string ball = "integrator normals\nsphere .2 .1 -5 1\n", rest = " 40\nsize 20 20\n";
     const auto look = [&](int at, int up) {

@@ -4,6 +4,7 @@
 #include "common/povray/export.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/render.hpp"
+#include "common/render/snapshots.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/fuzz/must.hpp"
 
@@ -20,6 +21,7 @@ void make_quick(rt::Scene& scene) {
     scene.height = std::min(scene.height, 7);
     scene.max_depth = std::min(scene.max_depth, 3);
     scene.sampling.count = std::min(scene.sampling.count, 4);
+    scene.light_samples.count = std::min(scene.light_samples.count, 4);
 }
 
 bool same_bits(const rt::Image& a, const rt::Image& b) {
@@ -34,7 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     rt::fuzz::must_read_or_refuse([&] {
         rt::Scene scene = rt::parse_scene_text(text, "fuzz", {}, {.lenient = true, .files = false});
         make_quick(scene);
-        rt::fuzz::must_read_or_refuse([&] { require(!rt::export_povray(scene).empty()); });
+        rt::fuzz::must_read_or_refuse(
+            [&] { require(!rt::export_povray(scene, rt::snapshots_of(scene)).empty()); });
         const rt::World world = rt::compile(scene);
         const rt::Image image = rt::render(world, {.threads = 1}).image;
         require(image.width == scene.width && image.height == scene.height);

@@ -425,6 +425,103 @@ TEST_CASE("lesson 11 says what its figures program has counted", "[texts]") {
     CHECK(missed[0] == 2e6);
     CHECK(std::stod(found(text, "F1 was wrong at (\\S+) and F2")) == missed[1]);
     CHECK(std::stod(found(text, "F1 was wrong at \\S+ and F2 at (\\d+)")) == missed[2]);
+    const std::vector<double> led_back = numbers_in(lines_of(chapter, "led_back.csv").front());
+    const std::regex prose(
+        "viewer at (\\S+)° and a normal at −(\\S+)°, the mirrored ray goes down by (\\S+);"
+        "\\s+at\\s+−(\\S+)° it rises by 1/(\\d+) of the viewer's height");
+    std::smatch told;
+    REQUIRE(std::regex_search(text, told, prose));
+    REQUIRE(led_back.size() + 1 == told.size());
+    for (std::size_t i = 0; i < led_back.size(); ++i) CHECK(std::stod(told[i + 1]) == led_back[i]);
+}
+
+TEST_CASE("lesson 12 says what its figures program has counted", "[texts]") {
+    const std::string chapter = "12_distribution", text = lesson(chapter), prose = with_exponents(text);
+    // A row of the lesson is a line of the file, of which it shows the last columns.
+    const auto compare = [&](const std::string& head, const std::string& file, std::size_t shown) {
+        const std::vector<std::string> rows = table_after(text, head), lines = lines_of(chapter, file);
+        REQUIRE(rows.size() > 2);
+        REQUIRE(rows.size() == lines.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            INFO(rows[i] << "\n" << file << ": " << lines[i]);
+            const std::vector<double> said = numbers_in(rows[i]), counted = numbers_in(lines[i]);
+            REQUIRE(said.size() >= shown);
+            REQUIRE(counted.size() >= shown);
+            CHECK(std::equal(said.end() - static_cast<std::ptrdiff_t>(shown), said.end(),
+                             counted.end() - static_cast<std::ptrdiff_t>(shown)));
+        }
+    };
+    compare("| pixels | a key for each pixel |", "blocks.csv", 2);
+    compare("| what blurs |", "costs.csv", 2);
+    compare("| samples a pixel | shadow rays to each lamp |", "nesting.csv", 4);
+
+    // Slopes of four ways: a name, the dimensions, then of each way the slope and what theory says.
+    const std::vector<std::string> slopes = lines_of(chapter, "slopes.csv");
+    const std::vector<std::string> rows = table_after(text, "| | dimensions | independent |");
+    CHECK(rows.size() * 5 == slopes.size());
+    double widest = 0;
+    // slope, plus_minus, theory, rms_16, rms_1024
+    const auto line_of = [&](const std::string& name, const std::string& way) {
+        const auto line = std::ranges::find_if(
+            slopes, [&](const std::string& one) { return one.starts_with(name + "," + way + ","); });
+        INFO(name << ", " << way);
+        REQUIRE(line != slopes.end());
+        std::vector<double> numbers = numbers_in(line->substr(name.size() + way.size() + 2));
+        REQUIRE(numbers.size() == 5);
+        return numbers;
+    };
+    for (const std::string& row : rows) {
+        INFO(row);
+        const std::vector<double> said = numbers_in(row);
+        REQUIRE(said.size() == 9);
+        const std::string name =
+            row.substr(2, row.find(" |", 2) - 2) + "," + std::to_string(static_cast<int>(said[0]));
+        std::size_t next = 1;
+        for (const char* way : {"independent", "stratified pairs", "Sobol' pairs", "Sobol' in all"}) {
+            const std::vector<double> counted = line_of(name, way);
+            CHECK(said[next] == counted[0]);
+            CHECK(said[next + 1] == counted[2]);
+            widest = std::max(widest, counted[1]);
+            next += 2;
+        }
+    }
+    const auto says = [&](const std::string& pattern) { return std::stod(found(prose, pattern)); };
+    CHECK(says("known to ±(\\S+) with") == widest);
+    CHECK(says("error of (\\S+) by\\s+independent") == line_of("smooth,4", "independent")[4]);
+    CHECK(says("and of (\\S+) by\\s+stratified") == line_of("smooth,4", "stratified pairs")[4]);
+    CHECK(says("function is −(\\S+)\\s+instead") == line_of("smooth,8", "Sobol' in all")[0]);
+    CHECK(says("16\\s+samples\\s+the\\s+error\\s+is\\s+(\\S+), where") ==
+          line_of("smooth,8", "Sobol' in all")[3]);
+    CHECK(says("stratified\\s+pairs\\s+have\\s+(\\d\\.\\d+)") == line_of("smooth,8", "stratified pairs")[3]);
+    CHECK(says("error\\s+of\\s+(\\S+)\\s+by\\s+them") == line_of("sum of smooth,8", "Sobol' in all")[3]);
+    CHECK(says("by\\s+them\\s+and\\s+of\\s+(\\S+)\\s+by") == line_of("sum of smooth,8", "Sobol' pairs")[3]);
+    CHECK(says("at\\s+1024\\s+samples\\s+they\\s+have\\s+(\\d\\.\\d+)") ==
+          line_of("smooth,4", "Sobol' pairs")[4]);
+    CHECK(says("\\(12\\.1\\)\\s+they\\s+have\\s+(\\d\\.\\d+)") ==
+          line_of("smooth,4", "Sobol' pairs in any order")[4]);
+
+    const std::vector<double> pixel = numbers_in(lines_of(chapter, "blocks.csv").front()),
+                              block = numbers_in(lines_of(chapter, "blocks.csv").back());
+    CHECK(pixel[1] / block[1] == Approx(says("by\\s+a\\s+factor\\s+of\\s+(\\d+), and")).margin(0.5));
+    CHECK(pixel[2] / block[2] > std::stod(found(text, "sequence\\s+by\\s+more\\s+than\\s+([0-9,]+\\d)")));
+
+    const auto last_of = [&](const char* file, std::size_t line) {
+        const std::vector<std::string> lines = lines_of(chapter, file);
+        REQUIRE(line < lines.size());
+        return numbers_in(lines[line]);
+    };
+    CHECK(says("coins\\s+fell\\s+in\\s+only\\s+(\\d) of") == last_of("coins.csv", 0).back());
+    // Errors of a small lamp at 1e5 and 1e7 times its side: by acos, by unit vectors, by the edge.
+    CHECK(says("are\\s+off\\s+by\\s+(\\S+)\\s+%\\s+or\\s+more\\.\\s+With") ==
+          Approx(100 * last_of("small_lamps.csv", 1)[1]));
+    CHECK(says("half\\s+are\\s+off\\s+by\\s+(\\S+)\\s+%") == Approx(100 * last_of("small_lamps.csv", 2)[2]));
+    CHECK(says("times\\s+are\\s+at\\s+most\\s+(\\S+[0-9])\\.") == Approx(last_of("small_lamps.csv", 2)[3]));
+    // Degrees, samples, lost, greatest weight: all facets, visible facets.
+    const std::vector<double> all = last_of("facets.csv", 4), visible = last_of("facets.csv", 5);
+    CHECK(says("(\\d+)\\s+%\\s+of\\s+the\\s+samples\\s+are\\s+lost") == all[2]);
+    CHECK(says("weights\\s+up\\s+to\\s+(\\d+), where") == all[3]);
+    CHECK(says("facets\\s+(\\d+)\\s+%\\s+are\\s+lost") == visible[2]);
+    CHECK(visible[3] <= says("no\\s+weight\\s+is\\s+above\\s+(\\d+)"));
 }
 
 TEST_CASE("hints ask the world as its header declares it, or as the solution does", "[texts]") {

@@ -305,9 +305,9 @@ Verdict judge_leaving(const LeavingRays<SolidCase<Quadric>>& rays,
 namespace rt::naive {
 
 std::optional<Hit> march(const Implicit& implicit, const Ray& ray, Interval range, int steps) {
-    const std::optional<Span> span = inside(implicit.box, ray);
-    if (!span) return std::nullopt;
-    const Real enter = std::max(span->enter, range.min), leave = std::min(span->leave, range.max);
+    const std::optional<Span> in_box = inside(implicit.box, ray);
+    if (!in_box) return std::nullopt;
+    const Real enter = std::max(in_box->enter, range.min), leave = std::min(in_box->leave, range.max);
     const auto f = [&](Real t) { return value_at(*implicit.f, point_at(ray, t)); };
     Real t = enter;
     for (int i = 1; i <= steps && enter < leave; ++i) {

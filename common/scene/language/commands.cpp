@@ -10,7 +10,8 @@ std::span<const CommandRow> all_commands() {
         std::vector<CommandRow> rows;
         for (const std::span<const CommandRow> subject :
              {picture_commands(), tracing_commands(), shape_commands(), transform_commands(),
-              light_commands(), material_commands(), sampling_commands(), texture_commands()})
+              light_commands(), material_commands(), sampling_commands(), texture_commands(),
+              blur_commands()})
             rows.insert(rows.end(), subject.begin(), subject.end());
         std::ranges::stable_sort(rows, {}, [](const CommandRow& row) { return row.reference.chapter; });
         return rows;

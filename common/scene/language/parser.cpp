@@ -9,8 +9,7 @@
 namespace rt::language {
 
 std::string message_at(const Parser& parser, const char* where, const std::string& what) {
-    return parser.scene.file + ":" + std::to_string(parser.line_number) + ":" +
-           std::to_string(where - parser.line.data() + 1) + ": " + what;
+    return at_place(parser.scene.file, parser.line_number, where - parser.line.data() + 1, what);
 }
 
 void warn(const Parser& parser, const char* where, const std::string& what) {
@@ -22,8 +21,7 @@ void fail(const Parser& parser, std::string_view word, const std::string& what) 
 }
 
 void fail_at(const Parser& parser, SourcePlace place, const std::string& what) {
-    throw InputError(parser.scene.file + ":" + std::to_string(place.line) + ":" +
-                     std::to_string(place.column) + ": " + what);
+    throw InputError(at_place(parser.scene.file, place.line, place.column, what));
 }
 
 std::string expected(const Parser& parser) {

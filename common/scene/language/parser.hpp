@@ -21,6 +21,7 @@ struct OpenCombination {
     std::string word;            ///< that opened it
     SourcePlace place;           ///< of that word
     std::uint32_t material = 0;  ///< in force there; index into Scene::materials
+    Vec3 motion{0};              ///< likewise
 };
 
 /// What the commands so far have made, and the line that is being read.
@@ -33,6 +34,7 @@ struct Parser {
     Material material{};  ///< but for the indices of the next two
     Texturing texturing{};
     Finish finish{};
+    Vec3 motion{0};
     Wrap wrap = Wrap::Repeat;  ///< of the textures that follow
     TextureFilter texture_filter = TextureFilter::Bilinear;
     SkyMap sky_map = SkyMap::LatitudeLongitude;  ///< of the environments that follow

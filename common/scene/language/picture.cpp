@@ -97,8 +97,8 @@ std::span<const CommandRow> picture_commands() { return rows; }
 void require_camera(const Parser& parser) {
     if (parser.has_camera) return;
     throw InputError(
-        parser.scene.file + ":" + std::to_string(std::max(parser.line_number, 1)) +
-        ":1: no camera in the whole file; expected somewhere: camera fx fy fz ax ay az ux uy uz fovy");
+        at_place(parser.scene.file, std::max(parser.line_number, 1), 1,
+                 "no camera in the whole file; expected somewhere: camera fx fy fz ax ay az ux uy uz fovy"));
 }
 
 }  // namespace rt::language

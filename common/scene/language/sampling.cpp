@@ -8,7 +8,8 @@ namespace {
 
 constexpr Word<Sampler> samplers[] = {{"jittered", Sampler::Jittered},   {"random", Sampler::Random},
                                       {"regular", Sampler::Regular},     {"poisson", Sampler::Poisson},
-                                      {"trapezoid", Sampler::Trapezoid}, {"centered", Sampler::Centered}};
+                                      {"trapezoid", Sampler::Trapezoid}, {"centered", Sampler::Centered},
+                                      {"sobol", Sampler::Sobol}};
 constexpr Word<Filter> filters[] = {{"box", {FilterKind::Box, 0.5}},
                                     {"tent", {FilterKind::Tent, 1}},
                                     {"gaussian", {FilterKind::Gaussian, 1.5}},
@@ -35,7 +36,8 @@ const CommandRow rows[] = {
       "Where several samples lie: one at random in each of equal cells (default), all at random, in the "
       "middles of equal cells, at random but no two near each other, on the corners of cells with the "
       "trapezoid "
-      "rule's weights, or in the middles and one more at the centre.",
+      "rule's weights, in the middles and one more at the centre, or on scrambled Sobol' points. What a "
+      "sample needs besides, as points of the lens and of lights, is spread likewise.",
       "08"},
      [](Parser& p) { p.scene.sampling.sampler = choice(p, samplers); }},
     {{"adaptive", alternatives(on_or_off),

@@ -64,7 +64,8 @@ void add_object(Parser& parser, FileShape shape) {
         require_inside(parser, shape);
         require_its_material(parser, material);
     }
-    append(parser, {std::move(shape), material, parser.transform, place_of(parser, parser.words[0])});
+    append(parser,
+           {std::move(shape), material, parser.transform, place_of(parser, parser.words[0]), parser.motion});
 }
 
 void add_triangle(Parser& parser) {
@@ -192,8 +193,11 @@ void open_combination(Parser& parser) {
              "more than " + std::to_string(most_open_combinations) + " solids inside each other");
     const std::uint32_t material = material_in_force(parser);
     if (!parser.combinations.empty()) require_its_material(parser, material);
-    parser.combinations.push_back(
-        {{operation, {}}, std::string(parser.words[0]), place_of(parser, parser.words[0]), material});
+    parser.combinations.push_back({{operation, {}},
+                                   std::string(parser.words[0]),
+                                   place_of(parser, parser.words[0]),
+                                   material,
+                                   parser.motion});
 }
 
 void close_combination(Parser& parser) {
@@ -205,7 +209,8 @@ void close_combination(Parser& parser) {
         fail(parser, parser.words[0],
              "'" + whole.word + "' needs at least 2 solids, but has " +
                  std::to_string(whole.made.parts.size()));
-    append(parser, {std::move(whole.made), whole.material, -1, whole.place});  // its parts have transforms
+    append(parser, {std::move(whole.made), whole.material, -1, whole.place,
+                    whole.motion});  // its parts have transforms
 }
 
 const CommandRow rows[] = {

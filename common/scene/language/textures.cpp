@@ -83,7 +83,7 @@ void set_bumps(Parser& parser) {
 }
 
 void set_environment(Parser& parser) {
-    const Real turn = parser.words.size() > 2 ? number(parser, 2) : 0;
+    const Turn turn = parser.words.size() > 2 ? turn_by(radians(number(parser, 2))) : Turn{};
     const std::uint32_t picture = picture_named(parser, parser.words[1]);
     parser.scene.sky = ImageSky{parser.scene.pictures[picture].image, parser.sky_map, turn};
 }

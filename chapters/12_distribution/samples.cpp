@@ -1,0 +1,53 @@
+// The numbers that a pixel's samples are made from: stratified, and paired at random.
+#include "chapters/12_distribution/samples.hpp"
+
+#include "common/math/mixed.hpp"
+#include "common/math/todo.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+/// Uniform in [low, high), by 64 random bits; low if the sum is rounded up to high. Given.
+[[maybe_unused]] Real between(Real low, Real high, std::uint64_t bits) {
+    const Real x = low + real_of(bits) * (high - low);
+    return x < high ? x : low;
+}
+
+}  // namespace
+
+std::uint32_t permuted(std::uint32_t index, std::uint32_t count, std::uint64_t key) {
+    // 12.1  Return the place of `index`. Make a permutation of all numbers below a power of two,
+    // the least that is not below count, of steps that can be undone and that depend on the key. If it leads
+    // out of the numbers below count, go on from there.
+    return todo("12.1");
+}
+
+Stratum stratum(std::uint32_t index, std::uint32_t count) {
+    // The same as in 08.1: row j of r holds the parts from floor(j·count/r) on. Part `index` is in the last
+    // row that begins with it or before.
+    const auto rows = static_cast<std::uint64_t>(std::sqrt(static_cast<Real>(count)));
+    const std::uint64_t row = ((index + std::uint64_t(1)) * rows - 1) / count;
+    const std::uint64_t first = row * count / rows, last = (row + 1) * count / rows;
+    const Real columns = static_cast<Real>(last - first), i = static_cast<Real>(index - first), all = count;
+    return {{i / columns, static_cast<Real>(first) / all},
+            {(i + 1) / columns, static_cast<Real>(last) / all}};
+}
+
+Real stratified_number(std::uint32_t index, std::uint32_t count, std::uint64_t key) {
+    // 12.2  Return a number that is uniform in the part that this sample has. Its place in the part
+    // must not come from the bits that have chosen the part. Stir the key before anything is added to it, or
+    // that of one key is the number of the next.
+    return todo("12.2");
+}
+
+Vec2 stratified_point(std::uint32_t index, std::uint32_t count, std::uint64_t key) {
+    // 12.2  Likewise a point of the stratum that this sample has, by two numbers that have nothing
+    // to do with each other.
+    return todo("12.2");
+}
+
+}  // namespace rt

@@ -1,0 +1,58 @@
+// The snapshots of which a picture of shared samples is the mean.
+#include "common/render/snapshots.hpp"
+
+#include "chapters/12_distribution/area_light.hpp"
+#include "chapters/12_distribution/lens.hpp"
+#include "chapters/12_distribution/samples.hpp"
+#include "common/render/compile.hpp"
+#include "common/render/patterns.hpp"
+#include "common/world/query.hpp"
+
+namespace rt {
+namespace {
+
+/// As visit_area_light (common/render/area_lights.hpp) draws them.
+void add_points(Snapshot& snapshot, const AreaLight& light, const LightSamples& samples, Stream& stream) {
+    const auto count = static_cast<std::uint32_t>(samples.count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Vec2 random = next_point(stream);
+        if (samples.stratified) {
+            const Stratum cell = stratum(i, count);
+            random = cell.low + random * (cell.high - cell.low);
+        }
+        const LightPoint on =
+            std::visit([&](const auto& shape) { return point_on(shape, random); }, light.shape);
+        snapshot.lights.push_back({on.point, on.normal, light.radiance / (pi * on.pdf * count)});
+    }
+}
+
+/// The place on a lens, in world units.
+Vec2 place_on(const Lens& lens, const Vec2& random) {
+    return lens.radius *
+           (lens.sides == 0 ? disc_point(random) : polygon_point(lens.sides, lens.turn, random));
+}
+
+}  // namespace
+
+std::vector<Snapshot> snapshots_of(const Scene& scene) {
+    if (!is_blurred(scene) || !why_no_snapshots(scene).empty()) return {};
+    const World world = compile(scene);
+    const int count = scene.sampling.count;
+    const Patterns patterns =
+        patterns_for(world, count == 1 ? Sampler::Regular : scene.sampling.sampler, count);
+    Stream stream = stream_of(world, patterns, 0, 0, 0, count);
+    std::vector<Snapshot> snapshots;
+    for (const PixelSample& sample : pattern_of(world, patterns, 0, 0, 0, count)) {
+        Stream own = stream;
+        ++stream.sample;
+        const CameraSample camera = camera_sample(world, sample.at, own);
+        Snapshot snapshot{.at = sample.at, .weight = sample.weight, .time = camera.time};
+        if (world.needs.lens) snapshot.lens = place_on(world.blur.lens, camera.lens);
+        for (const AreaLight& light : world.area_lights.lights)
+            add_points(snapshot, light, world.area_lights.samples, own);
+        snapshots.push_back(std::move(snapshot));
+    }
+    return snapshots;
+}
+
+}  // namespace rt

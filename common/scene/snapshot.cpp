@@ -1,0 +1,67 @@
+// Which scenes are the mean of still ones, and what these look like.
+#include "common/scene/snapshot.hpp"
+
+#include <algorithm>
+
+namespace rt {
+namespace {
+
+bool moves(const Object& object) { return object.motion != Vec3(0); }
+
+/// The node whose matrix is that of `node` after a move in world space.
+int moved_node(Scene& scene, int node, const Vec3& by, const SourcePlace& place) {
+    TransformNode moved{-1, Translate{by}, place};
+    if (node >= 0) {
+        moved = scene.transforms[static_cast<std::size_t>(node)];
+        moved.parent = moved_node(scene, moved.parent, by, place);
+    }
+    scene.transforms.push_back(moved);
+    return static_cast<int>(scene.transforms.size()) - 1;
+}
+
+/// Moves an object, or all that a combination is made of. A part stands in one combination only.
+void move(Scene& scene, Object& object, const Vec3& by) {
+    if (const auto* combined = std::get_if<CombinationObject>(&object.shape)) {
+        for (const std::uint32_t part : combined->parts) move(scene, scene.parts[part], by);
+        return;
+    }
+    object.transform = moved_node(scene, object.transform, by, object.place);
+}
+
+}  // namespace
+
+bool is_blurred(const Scene& scene) {
+    if (scene.visibility == Visibility::Rasterize) return false;
+    const IntegratorRow& integrator = row_of(scene.integrator);
+    return scene.lens.radius > 0 || scene.camera_motion != Vec3(0) ||
+           (integrator.objects && std::ranges::any_of(scene.objects, moves)) ||
+           (integrator.area_lights && !scene.area_lights.empty());
+}
+
+std::string_view why_no_snapshots(const Scene& scene) {
+    const Sampler sampler = scene.sampling.sampler;
+    if (sampler != Sampler::Regular && sampler != Sampler::Trapezoid && sampler != Sampler::Centered)
+        return "a lens, motion or lights with an extent whose samples differ from pixel to pixel: say "
+               "'sampler "
+               "regular'";
+    if (scene.area_lights.empty() || !row_of(scene.integrator).area_lights) return "";
+    if (scene.light_samples.how != LightSampling::Area)
+        return "points of lights that are chosen by the angle under which each place sees them: say "
+               "'lightsampling area'";
+    if (!scene.light_samples.all) return "lights of which each place asks another one: say 'lightchoice all'";
+    return "";
+}
+
+Scene scene_at(Scene scene, Real time) {
+    scene.camera.eye += time * scene.camera_motion, scene.camera.look_at += time * scene.camera_motion;
+    scene.camera_motion = Vec3(0);
+    for (Object& object : scene.objects) {
+        if (!moves(object)) continue;
+        const Vec3 by = time * object.motion;
+        object.motion = Vec3(0);
+        move(scene, object, by);
+    }
+    return scene;
+}
+
+}  // namespace rt

@@ -1,0 +1,115 @@
+// The Sobol' sequence, scrambled.
+#include "chapters/12_distribution/sobol.hpp"
+
+#include "chapters/12_distribution/samples.hpp"
+#include "common/math/mixed.hpp"
+
+namespace rt {
+namespace {
+
+/// A row of Joe & Kuo's table: a primitive polynomial of this degree, the coefficients inside of it as bits,
+/// and the first direction numbers, m_k for m_k/2^k.
+struct Polynomial {
+    int degree;
+    std::uint32_t inside;
+    std::array<std::uint32_t, 6> m;
+};
+
+// From new-joe-kuo-6.21201, © 2008 Frances Y. Kuo and Stephen Joe: dimensions 1 to 15, counted from 0.
+constexpr std::array<Polynomial, sobol_dimensions - 1> polynomials{{{1, 0, {1}},
+                                                                    {2, 1, {1, 3}},
+                                                                    {3, 1, {1, 3, 1}},
+                                                                    {3, 2, {1, 1, 1}},
+                                                                    {4, 1, {1, 1, 3, 3}},
+                                                                    {4, 4, {1, 3, 5, 13}},
+                                                                    {5, 2, {1, 1, 5, 5, 17}},
+                                                                    {5, 4, {1, 1, 5, 5, 5}},
+                                                                    {5, 7, {1, 1, 7, 11, 19}},
+                                                                    {5, 11, {1, 1, 5, 1, 1}},
+                                                                    {5, 13, {1, 1, 1, 3, 11}},
+                                                                    {5, 14, {1, 3, 5, 5, 31}},
+                                                                    {6, 1, {1, 3, 3, 9, 7, 49}},
+                                                                    {6, 13, {1, 1, 1, 15, 21, 21}},
+                                                                    {6, 16, {1, 3, 1, 13, 27, 49}}}};
+
+using Directions = std::array<std::uint32_t, 32>;
+
+/// Of each dimension. Dimension 0 has the bits of the index in reverse; the others follow from their first
+/// numbers by the recurrence of their polynomial.
+constexpr std::array<Directions, sobol_dimensions> make_directions() {
+    std::array<Directions, sobol_dimensions> all{};
+    for (std::size_t k = 0; k < 32; ++k) all[0][k] = 0x80000000u >> k;
+    for (std::size_t dimension = 1; dimension < sobol_dimensions; ++dimension) {
+        const Polynomial& p = polynomials[dimension - 1];
+        const auto degree = static_cast<std::size_t>(p.degree);
+        Directions& v = all[dimension];
+        for (std::size_t k = 0; k < degree; ++k) v[k] = p.m[k] << (31 - k);
+        for (std::size_t k = degree; k < 32; ++k) {
+            v[k] = v[k - degree] ^ v[k - degree] >> degree;
+            for (std::size_t j = 1; j < degree; ++j)
+                if (p.inside >> (degree - 1 - j) & 1) v[k] ^= v[k - j];
+        }
+    }
+    return all;
+}
+
+constexpr std::array<Directions, sobol_dimensions> directions = make_directions();
+
+}  // namespace
+
+std::array<std::uint32_t, 32> sobol_directions(std::uint32_t dimension) { return directions[dimension]; }
+
+std::uint32_t sobol_bits(std::uint32_t index, std::uint32_t dimension) {
+    // [exercise 12.3] Return the exclusive or of the direction numbers of the bits that are 1 in `index`.
+    std::uint32_t bits = 0;
+    for (const std::uint32_t direction : sobol_directions(dimension)) {
+        // All ones or zeros instead of a branch, which would go either way with every second bit.
+        bits ^= direction & -(index & 1);
+        index >>= 1;
+    }
+    return bits;
+    // [/exercise]
+}
+
+std::uint32_t owen_scrambled(std::uint32_t bits, std::uint64_t key) {
+    // [exercise 12.4] Flip each bit, or not, by a coin that depends on the key and on the bits above it.
+    // Number the coins as the nodes of a binary tree: that of the highest bit is 1, and below the coin n are
+    // 2n for a 0 and 2n + 1 for a 1.
+    const std::uint64_t own = stirred(key);
+    const std::uint32_t path = bits >> 1 | 0x80000000u;
+    for (int bit = 0; bit < 32; ++bit) {
+        const std::uint64_t coin = mixed(own, path >> bit) & 1;
+        bits ^= static_cast<std::uint32_t>(coin << bit);
+    }
+    return bits;
+    // [/exercise]
+}
+
+Vec2 sobol_point(std::uint32_t index, std::uint64_t key) {
+    // [exercise 12.5] Scramble the index, and the coordinates of that point, by three keys made from `key`.
+    const std::uint64_t own = stirred(key);
+    const std::uint32_t shuffled = owen_scrambled(index, mixed(own, 0));
+    const std::uint32_t x = owen_scrambled(sobol_bits(shuffled, 0), mixed(own, 1));
+    const std::uint32_t y = owen_scrambled(sobol_bits(shuffled, 1), mixed(own, 2));
+    return Vec2(x, y) * 0x1p-32;
+    // [/exercise]
+}
+
+std::uint32_t pixel_start(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint64_t key) {
+    // [exercise 12.5] From the whole picture of 4096 by 4096 pixels down: in which quarter of the square is
+    // the pixel, and which place has this quarter in the order of the four? Each place is two bits of the
+    // answer, which counts pixels; `count` indices belong to each.
+    const std::uint64_t own = stirred(key);
+    std::uint32_t place = 0;
+    std::uint64_t square = 1;
+    for (int level = 11; level >= 0; --level) {
+        const std::uint32_t quarter = (y >> level & 1) << 1 | (x >> level & 1);
+        place = place << 2 | permuted(quarter, 4, mixed(own, square));
+        // As the coins of 12.4, but with four squares below each.
+        square = square << 2 | quarter;
+    }
+    return place * count;
+    // [/exercise]
+}
+
+}  // namespace rt

@@ -1,0 +1,197 @@
+// Pictures through a lens, of what moves, and under lights with an extent: what chapter 12 brings to a scene.
+#include "common/render/compile.hpp"
+#include "common/render/render.hpp"
+#include "common/scene/parse.hpp"
+#include "tests/catch.hpp"
+
+#include <cmath>
+#include <string>
+
+using namespace rt;
+
+namespace {
+
+const std::string view = "size 40 30\ncamera 0 1 6  0 0.5 0  0 1 0  40\n";
+const std::string things =
+    "directional 1 2 2  .8 .8 .7\ndiffuse .7 .7 .7\nplane 0 0 0  0 1 0\nsphere -.8 .5 0 .5\n"
+    "box .3 0 -.5  1.1 .8 .3\n";
+
+World world_of(const std::string& text) { return compile(parse_scene_text(view + text, "blur.scene")); }
+
+Image picture(const std::string& text) { return render(world_of(text)).image; }
+
+bool same(const Image& a, const Image& b) { return a.pixels == b.pixels; }
+
+/// Over pixels and channels.
+Real rms(const Image& a, const Image& b) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const Vec3 off = a.pixels[i] - b.pixels[i];
+        sum += dot(off, off);
+    }
+    return std::sqrt(sum / (3 * static_cast<Real>(a.pixels.size())));
+}
+
+Vec3 center(const Image& image) { return pixel(image, image.width / 2, image.height / 2); }
+
+}  // namespace
+
+TEST_CASE("what does not blur costs nothing and changes no bit", "[blur]") {
+    const std::string spp = GENERATE("", "spp 4\n", "spp 4\nsampler regular\n");
+    const Image plain = picture(spp + things);
+    for (const char* nothing : {"lens 0 5\n", "aperture 5\n", "cameramotion 0 0 0\n", "motion 0 0 0\n",
+                                "shutter .5 .5\n", "gloss 10\n", "lightsamples 9\n"}) {
+        INFO(spp << nothing);
+        const World world = world_of(spp + nothing + things);
+        CHECK_FALSE(world.needs.blur);
+        CHECK_FALSE(world.needs.distribution);
+        const RenderResult result = render(world);
+        CHECK(same(result.image, plain));
+    }
+    CHECK(render(world_of(things)).rays.random_numbers == 0);
+}
+
+TEST_CASE("a lens becomes a pinhole as it gets smaller", "[blur]") {
+    const std::string regular = "spp 4\nsampler regular\n";
+    const Image pinhole = picture(regular + things);
+    const auto off = [&](const char* lens) { return rms(picture(regular + lens + things), pinhole); };
+    CHECK(off("lens .2 6\n") > 4 * off("lens .02 6\n"));
+    CHECK(off("lens 1e-9 6\n") < 1e-6);
+}
+
+TEST_CASE("a moving thing has the same bits in a grid and without", "[blur]") {
+    std::string balls = "diffuse .6 .5 .4\n";
+    for (int i = 0; i < 40; ++i)
+        balls += "motion " + std::to_string((i % 5 - 2) * 0.3) + " " + std::to_string((i % 3) * 0.2) +
+                 " 0\nsphere " + std::to_string(i % 8 * 0.4 - 1.4) + " " + std::to_string(i / 8 * 0.3) + " " +
+                 std::to_string(i % 7 * -0.3) + " .12\n";
+    const std::string lamp = "spp 4\ndirectional 1 2 2  1 1 1\nquadLight -1 3 0  0 0 1  1 0 0  5 5 5\n";
+    const Image none = picture("accelerator none\n" + lamp + balls);
+    for (const char* grid : {"accelerator grid\n", "accelerator nested\n"})
+        CHECK(same(none, picture(grid + lamp + balls)));
+}
+
+TEST_CASE("moving things of all kinds are where they would stand at that time", "[blur]") {
+    // At the time ½ each is where the same thing stands that does not move. A shutter that is open around
+    // one instant only is one sample of `sampler regular`.
+    for (const char* thing :
+         {"sphere 0 .5 0 .5\n", "box -.5 0 -.5  .5 1 .5\n", "disc 0 .5 0  0 .3 1  .6\n",
+          "cylinder 0 0 0  0 1 0 .4\n", "cone 0 0 0 .5  0 1 0 0\n", "torus 0 .5 0  0 1 .4  .5 .15\n",
+          "openCylinder 0 0 0  0 1 0 .4\n", "vertex -1 0 0\nvertex 1 0 0\nvertex 0 1 .2\ntri 0 1 2\n",
+          "vertex -1 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex -1 1 0\npolygon 0 1 2 3\n",
+          "vertexnormal -1 0 0 -1 0 1\nvertexnormal 1 0 0 1 0 1\nvertexnormal 0 1 0 0 1 1\n"
+          "trinormal 0 1 2\n",
+          "intersection\nsphere 0 .5 0 .5\nbox -.4 0 -.4  .4 .9 .4\nend\n",
+          "pushTransform\ntranslate 0 .5 0\nrotate 1 1 0 30\nscale .5 .3 .4\nsphere 0 0 0 1\n"
+          "popTransform\n"}) {
+        INFO(thing);
+        const std::string lamp = "spp 1\nsampler regular\ndirectional 1 2 2  1 1 1\ndiffuse .8 .7 .6\n";
+        const Image moving = picture(lamp + "motion .5 .25 -.5\n" + thing);
+        const Image still =
+            picture(lamp + "pushTransform\ntranslate .25 .125 -.25\n" + thing + "popTransform\n");
+        // The numbers are not the same ones; where an edge runs through a pixel's centre that may show.
+        int different = 0;
+        for (std::size_t i = 0; i < still.pixels.size(); ++i)
+            different += length(moving.pixels[i] - still.pixels[i]) > 1e-9;
+        CHECK(different <= 2);
+        CHECK_FALSE(same(still, picture(lamp + thing)));
+    }
+}
+
+TEST_CASE("an endless plane does not move", "[blur]") {
+    CHECK_THROWS_WITH(world_of("motion 1 0 0\nplane 0 0 0  0 1 0\n"),
+                      Catch::Contains("blur.scene:4:1: this plane"));
+}
+
+TEST_CASE("lamps are there to be seen, on their bright side", "[blur]") {
+    const std::string far = "diffuse 1 1 1\nsphere 99 99 99 1\n";
+    // The camera looks along −z, from z = 6.
+    const std::string towards = "quadLight -1 -1 0  0 2 0  2 0 0  3 2 1\n",
+                      away = "quadLight -1 -1 0  2 0 0  0 2 0  3 2 1\n";
+    CHECK(center(picture(towards + far)) == Vec3(3, 2, 1));
+    CHECK(center(picture(away + far)) == Vec3(0));
+    // Also where nothing reflects, or something moves.
+    CHECK(center(picture(towards)) == Vec3(3, 2, 1));
+    CHECK(center(picture(away)) == Vec3(0));
+    CHECK(center(picture("spp 4\nmotion 1 0 0\n" + away + "sphere 9 9 9 .1\n")) == Vec3(0));
+    // A checker's second colour is a material, too.
+    CHECK(center(picture("integrator flat\nchecker 1 0 0  0 0 1  1\n" + far + towards)) == Vec3(3, 2, 1));
+}
+
+TEST_CASE("light from an area comes as often as it is asked for, and by either way", "[blur]") {
+    const std::string lamp =
+        "quadLight -.6 2 -.6  0 0 1.2  1.2 0 0  4 4 4\nsphereLight 1.5 1.5 0 .3  3 3 3\n"
+        "discLight -1.5 1.5 0  1 -1 0  .4  3 3 3\n"
+        "triangleLight 1 1.5 1  0 1.5 1  0 2 1.5  3 3 3\n";
+    const std::string floor = "ambient 0 0 0\ndiffuse .8 .8 .8\nplane 0 0 0  0 1 0\nsphere 0 .4 0 .4\n";
+    const Image truth = picture("spp 1024\nsampler sobol\n" + lamp + floor);
+    for (const char* how :
+         {"spp 64\n", "spp 64\nlightsampling area\n", "spp 16\nlightsamples 4\n",
+          "spp 16\nlightsamples 4\nlightstratify on\n", "spp 64\nlightchoice one\n",
+          "spp 64\nsampler random\n", "spp 64\nsampler sobol\n", "spp 64\nsampler poisson\n"}) {
+        INFO(how);
+        const Image image = picture(how + lamp + floor);
+        Vec3 mean(0), right(0);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            mean += image.pixels[i], right += truth.pixels[i];
+        // Of 77,000 samples each, which differ by up to three times their mean.
+        CHECK(length(mean - right) < 0.05 * length(right));
+        CHECK(rms(image, truth) < 0.06);
+    }
+}
+
+TEST_CASE("one sample a pixel is at random in all but its place", "[blur]") {
+    // The lamp and what gives the shadow are above the picture, so that it has no edges.
+    const std::string lit =
+        "quadLight -.6 4 -.6  0 0 1.2  1.2 0 0  9 9 9\nambient 0 0 0\ndiffuse .8 .8 .8\n"
+        "plane 0 0 0  0 1 0\nbox -.4 3 -.4  .4 3.1 .4\n";
+    const Image middle = picture("sampler regular\n" + lit), soft = picture("spp 1024\n" + lit);
+    const Real one = rms(picture(lit), soft), many = rms(picture("lightsamples 64\n" + lit), soft);
+    INFO("one shadow ray a pixel is wrong by " << one << ", 64 by " << many << ", the lamp's middle by "
+                                               << rms(middle, soft));
+    CHECK(many < one / 2);
+    CHECK(many < rms(middle, soft) / 2);
+    CHECK_FALSE(same(picture("lens .2 6\n" + lit), picture(lit)));
+}
+
+TEST_CASE("the stated error is honest whatever blurs", "[blur]") {
+    const std::string blurred = "quadLight -.6 2.5 -.6  0 0 1.2  1.2 0 0  6 6 6\nmaxdepth 2\n" + things +
+                                "motion .6 0 0\nspecular .3 .3 .3\ngloss 40\nsphere -.3 .5 1 .3\n";
+    for (const char* camera : {"", "lens .1 6\n"})
+        for (const char* sampler : {"jittered", "random", "sobol", "poisson"}) {
+            const std::string all = std::string(camera) + "sampler " + sampler + "\n" + blurred;
+            INFO(camera << sampler);
+            const Image truth = picture("spp 2048\nseed 77\n" + all);
+            const RenderResult result = render(world_of("spp 16\n" + all));
+            REQUIRE(result.rms_error);
+            const Real really = rms(result.image, truth);
+            INFO("stated " << *result.rms_error << ", really " << really);
+            CHECK(*result.rms_error > really / 1.5);
+            CHECK(*result.rms_error < really * 1.5);
+        }
+}
+
+TEST_CASE("blurred pictures have the same bits on any number of threads", "[blur]") {
+    for (const char* sampler : {"jittered", "random", "regular", "sobol", "poisson"}) {
+        const World world = world_of("lens .1 6\nspp 4\nsampler " + std::string(sampler) +
+                                     "\nquadLight -.6 2.5 -.6  0 0 1.2  1.2 0 0  6 6 6\nmotion .5 0 0\n"
+                                     "diffuse .7 .7 .7\nspecular .3 .3 .3\ngloss 40\nsphere 0 .5 0 .5\n");
+        RenderOptions one, many;
+        one.threads = 1, many.threads = 5;
+        CHECK(same(render(world, one).image, render(world, many).image));
+    }
+}
+
+TEST_CASE("a bar that moves across a pixel covers it as long as it takes", "[blur]") {
+    // In a parallel projection of 2 units, the middle pixel of 3 × 3 is from −⅓ to ⅓. A wall with its edge at
+    // x = −1 moves by 2, past the pixel's middle at the time ½: each point is covered as long as the edge has
+    // passed it, so the middle pixel's mean is ½, the left one's 5/6, the right one's 1/6. Places and times
+    // are paired at random: what depends on both has the standard deviation √(1/4/4096) = 0.008 at most.
+    const std::string text =
+        "size 3 3\ncamera 0 0 5  0 0 0  0 1 0  40\northographic 2\nspp 4096\nambient 1 1 1\nmotion 2 0 0\n"
+        "box -9 -9 -.1  -1 9 .1\n";
+    const Image image = render(compile(parse_scene_text(text, "bar.scene"))).image;
+    CHECK(pixel(image, 0, 1).x == Approx(5. / 6).margin(0.03));
+    CHECK(pixel(image, 1, 1).x == Approx(0.5).margin(0.03));
+    CHECK(pixel(image, 2, 1).x == Approx(1. / 6).margin(0.03));
+}
