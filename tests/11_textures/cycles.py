@@ -1,4 +1,4 @@
-# What an independent renderer, Blender's Cycles, says of chapter 11's lobes: writes cycles.csv, which cycles_test.cpp
+# What an independent renderer, Blender's Cycles, says of chapter 11's lobes: writes cycles.csv, which cycles_stability_test.cpp
 # compares with ours. Run by hand, only when the list below changes; with Debian 12's blender (3.4.1) in a minute:
 #   blender -b --factory-startup -noaudio -t 2 --python-exit-code 1 -P tests/11_textures/cycles.py -- FILE
 # A plate in z = 0 is lit by a point lamp in the direction l and seen from v by parallel rays: what is seen is f·cos

@@ -130,7 +130,7 @@ inline void write_argument(Outgoing& call, const Overlaps& overlaps) {
     write_overlaps(call, overlaps, Shapes());
 }
 /// Not as other values with gaps between their bytes are: it is changed, and so never kept.
-inline void write_argument(Outgoing& call, const Stream& stream) { call.value(stream); }
+inline void write_argument(Outgoing& call, const Stream& stream) { call.out(stream); }
 inline void write_argument(Outgoing& call, RayColor color) {
     call.callback([color, &call](Reader& in, Writer& out) {
         const auto ray = in.read<Ray>();
