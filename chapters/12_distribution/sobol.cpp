@@ -16,7 +16,8 @@ struct Polynomial {
     std::array<std::uint32_t, 6> m;
 };
 
-// From new-joe-kuo-6.21201, © 2008 Frances Y. Kuo and Stephen Joe: dimensions 1 to 15, counted from 0.
+// From new-joe-kuo-6.21201, © 2008 Frances Y. Kuo and Stephen Joe, whose licence is at the end of LICENSE:
+// dimensions 1 to 15, counted from 0.
 constexpr std::array<Polynomial, sobol_dimensions - 1> polynomials{{{1, 0, {1}},
                                                                     {2, 1, {1, 3}},
                                                                     {3, 1, {1, 3, 1}},

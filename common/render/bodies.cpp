@@ -104,8 +104,7 @@ std::string why_no_body(const FileShape& shape) {
             "larger, or close it by an `intersection` with a `box`",
             words_of(shape).name, opening->x, opening->y, opening->z);
     return "a transparent object without an inside: with the faces that share corners, material and "
-           "transform "
-           "with it, it does not enclose one; put all its faces into one `mesh`";
+           "transform with it, it does not enclose one; put all its faces into one `mesh`";
 }
 
 }  // namespace

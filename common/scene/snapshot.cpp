@@ -41,9 +41,8 @@ bool is_blurred(const Scene& scene) {
 std::string_view why_no_snapshots(const Scene& scene) {
     const Sampler sampler = scene.sampling.sampler;
     if (sampler != Sampler::Regular && sampler != Sampler::Trapezoid && sampler != Sampler::Centered)
-        return "a lens, motion or lights with an extent whose samples differ from pixel to pixel: say "
-               "'sampler "
-               "regular'";
+        return "a lens, motion or lights with an extent whose samples differ from pixel to pixel: "
+               "say 'sampler regular'";
     if (scene.area_lights.empty() || !row_of(scene.integrator).area_lights) return "";
     if (scene.light_samples.how != LightSampling::Area)
         return "points of lights that are chosen by the angle under which each place sees them: say "

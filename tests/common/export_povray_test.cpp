@@ -498,8 +498,11 @@ TEST_CASE("how POV-Ray makes a picture of several samples a pixel", "[export]") 
 
 namespace {
 
+// All pixels share their one sample.
+const std::string shared = "sampler regular\n";
+
 std::string still(const std::string& commands, const Snapshot& snapshot) {
-    return export_povray(parse_scene_text(head + commands, "small.scene"), {&snapshot, 1});
+    return export_povray(parse_scene_text(head + shared + commands, "small.scene"), {&snapshot, 1});
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -528,11 +531,11 @@ TEST_CASE("a place on the lens moves POV-Ray's camera, and leans it back to the 
 }
 
 TEST_CASE("a lens becomes larger as the scene does", "[export]") {
-    const std::string text =
-        export_povray(parse_scene_text("size 40 30\ncamera 0 0 5e-5  0 0 0  0 1 0  90\nintegrator flat\n"
-                                       "lens 1e-5 4e-5\nmotion 2e-5 0 0\nsphere 0 0 0 1e-5\n",
-                                       "small.scene"),
-                      std::vector<Snapshot>{{.lens = Vec2(1e-5, 0), .time = 0.5}});
+    const std::string text = export_povray(
+        parse_scene_text("size 40 30\ncamera 0 0 5e-5  0 0 0  0 1 0  90\nintegrator flat\n"
+                         "sampler regular\nlens 1e-5 4e-5\nmotion 2e-5 0 0\nsphere 0 0 0 1e-5\n",
+                         "small.scene"),
+        std::vector<Snapshot>{{.lens = Vec2(1e-5, 0), .time = 0.5}});
     INFO(text);
     const Real factor = numbers_after(text, "All lengths are").at(0);
     CHECK(numbers_after(text, "location").at(0) == Approx(1e-5 * factor));
@@ -586,6 +589,7 @@ TEST_CASE("a point of an area light is a spotlight whose power of the cosine is 
 
 TEST_CASE("area lights are seen on their bright side, by integrators that look at lights", "[export]") {
     const std::string lights =
+        shared +
         "lightsampling area\nquadLight -1 2 -1  0 0 2  2 0 0  .5 .25 0\ndiscLight 0 2 0  0 -2 0  .5  1 1 1\n"
         "sphereLight 1 2 3  .5  1 1 1\ntriangleLight 0 0 0  1 0 0  0 1 0  1 1 1\n";
     const std::string glow = " texture { pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }";
@@ -607,7 +611,7 @@ TEST_CASE("area lights are seen on their bright side, by integrators that look a
                    "disc { <0, 2, 0>, <0, -1, 0>, 0.5 texture { Normal } }"));
     CHECK_FALSE(contains(exported("integrator directions\n" + lights), "disc"));
     CHECK(error_of("integrator uv\n" + lights)
-              .starts_with("small.scene:6:1: POV-Ray cannot express this light: "));
+              .starts_with("small.scene:7:1: POV-Ray cannot express this light: "));
 }
 
 TEST_CASE("a blurred picture is an animation, a frame a sample", "[export]") {
@@ -620,12 +624,12 @@ TEST_CASE("a blurred picture is an animation, a frame a sample", "[export]") {
     CHECK(text.ends_with("#break\n#end\n"));
     CHECK(count_of(text, "camera {") == 12);
     CHECK(count_of(text, "written by") == 1);
-    CHECK(count_of(exported("lens .1 4\nsphere 0 0 0 1\n"), "camera {") == 1);
+    CHECK(count_of(exported(shared + "lens .1 4\nsphere 0 0 0 1\n"), "camera {") == 1);
 }
 
 TEST_CASE("what pixels do not share is refused, with the word that helps", "[export]") {
     const std::string no_scene = "small.scene: POV-Ray cannot express this scene: ";
-    const std::string light = "discLight 0 2 0  0 -1 0  .5  1 1 1\n",
+    const std::string light = shared + "discLight 0 2 0  0 -1 0  .5  1 1 1\n",
                       ball = "diffuse 1 1 1\nsphere 0 0 0 1\n";
     const auto refused = [&](const std::string& commands, const std::string& where, const std::string& what) {
         const std::string error = error_of(commands);
@@ -634,15 +638,16 @@ TEST_CASE("what pixels do not share is refused, with the word that helps", "[exp
         CHECK(contains(error, what));
     };
     refused("spp 4\nlens .1 4\n", no_scene, "'sampler regular'");
+    refused("lens .1 4\n", no_scene, "'sampler regular'");
     refused("spp 4\nsampler sobol\ncameramotion 1 0 0\n", no_scene, "'sampler regular'");
     refused(light, no_scene, "'lightsampling area'");
     refused("lightsampling area\nlightchoice one\n" + light, no_scene, "'lightchoice all'");
     refused("integrator direct\n" + light, no_scene, "physical");
     refused("lightsampling area\nspecular 1 1 1\n" + ball + light,
-            "small.scene:8:1: POV-Ray cannot express this light: ", "'maxdepth 0'");
+            "small.scene:9:1: POV-Ray cannot express this light: ", "'maxdepth 0'");
     CHECK(error_of("lightsampling area\nmaxdepth 0\nspecular 1 1 1\n" + ball + light).empty());
     CHECK(error_of("lightsampling area\n" + ball + light).empty());
-    CHECK(error_of("lens .1 4\nspecular 1 1 1\n" + ball).empty());
+    CHECK(error_of(shared + "lens .1 4\nspecular 1 1 1\n" + ball).empty());
     refused("gloss 50\nspecular 1 1 1\n" + ball,
             "small.scene:7:1: POV-Ray cannot express this object: ", "spread");
     CHECK(error_of("gloss 50\nmaxdepth 0\nspecular 1 1 1\n" + ball).empty());
