@@ -34,7 +34,8 @@ ReportData measured(const Project& project, const WantedReports& wanted, bool qu
     const fs::path file = directory / "measured.json";
     std::vector<std::string> arguments{program(project, "report_data").string(), "-o", file.string()};
     if (quick) arguments.push_back("--quick");
-    if (wanted.error_time) arguments.insert(arguments.end(), {"kernels", "pictures", "filters", "grids"});
+    if (wanted.error_time)
+        arguments.insert(arguments.end(), {"kernels", "pictures", "filters", "blurs", "povray", "grids"});
     if (wanted.stability) arguments.push_back("stability");
     ProcessOptions options;
     options.merge_errors = false;  // it shows its progress

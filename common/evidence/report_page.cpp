@@ -1,11 +1,14 @@
 // The report's page: what the templates in pages/ show of the data, ready to be read.
 #include "common/evidence/report.hpp"
+#include "common/math/vec.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/page.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string_view>
 
 namespace rt {
@@ -133,6 +136,75 @@ PageView filters_view(const ReportData& filters, const PageView& plots) {
     return {{"scenes", scenes}, {"points", points}};
 }
 
+/// CPU seconds until a curve is no more wrong than `error`, on a straight line of logarithms between its
+/// points; those of its first point if that is not. Nothing if it never is.
+std::optional<double> seconds_to(const ReportData& curve, double error) {
+    const auto logarithm = [](const ReportData& point, const char* what) {
+        return std::log(point.at(what).get<double>());
+    };
+    const ReportData* before = nullptr;
+    for (const auto& point : curve.at("points")) {
+        if (point.at("error").get<double>() <= error) {
+            if (!before) return point.at("seconds").get<double>();
+            const double from = logarithm(*before, "error"), to = logarithm(point, "error");
+            const double start = logarithm(*before, "seconds"), end = logarithm(point, "seconds");
+            return std::exp(start + (end - start) * (std::log(error) - from) / (to - from));
+        }
+        before = &point;
+    }
+    return std::nullopt;
+}
+
+/// How long each way takes until it is as wrong as the scene's first one is at its second point.
+PageView equal_errors_view(const ReportData& scenes) {
+    PageView rows = PageView::array();
+    for (const auto& scene : scenes) {
+        if (scene.at("name") == "together") continue;  // a truth each
+        const ReportData& first = scene.at("curves").at(0);
+        const double error = first.at("points").at(1).at("error");
+        const double its_own = seconds_to(first, error).value_or(infinity);
+        for (const auto& curve : scene.at("curves")) {
+            double best = infinity;
+            for (const auto& point : curve.at("points"))
+                best = std::min(best, point.at("error").get<double>());
+            const std::optional<double> seconds = seconds_to(curve, error);
+            rows.push_back({{"title", scene.at("title")},
+                            {"method", curve.at("method")},
+                            {"error", number_text(error)},
+                            {"ms", seconds ? number_text(*seconds * 1e3) : "never"},
+                            {"times", seconds ? number_text(*seconds / its_own) : "–"},
+                            {"best", number_text(best)}});
+        }
+    }
+    return rows;
+}
+
+PageView blurs_view(const ReportData& data, const PageView& plots) {
+    const ReportData &blurs = data.at("blurs"), &compared = data.at("blurs_compared");
+    PageView scenes = PageView::array(), ways = PageView::array(), beside = PageView::array(),
+             points = PageView::array();
+    for (const auto& scene : blurs) scenes.push_back(scene_view(scene, "blurs", plots));
+    for (const auto& scene : compared) {
+        ways.push_back(scene_view(scene, "blurs_compared", plots));
+        for (const auto& curve : scene.at("curves"))
+            for (const auto& point : curve.at("points"))
+                points.push_back({{"title", scene.at("title")},
+                                  {"method", curve.at("method")},
+                                  {"samples", number_text(point.at("asked"))},
+                                  {"rays", number_text(point.at("rays"))},
+                                  {"error", number_text(point.at("error"))},
+                                  {"ms", number_text(point.at("seconds").get<double>() * 1e3)}});
+    }
+    PageView view = {
+        {"scenes", scenes}, {"exponents", exponents_view(blurs)},   {"honesty", honesty_view(blurs)},
+        {"ways", ways},     {"equal", equal_errors_view(compared)}, {"points", points}};
+    if (data.contains("povray")) {
+        for (const auto& scene : data.at("povray")) beside.push_back(scene_view(scene, "povray", plots));
+        view["povray"] = {{"scenes", beside}, {"equal", equal_errors_view(data.at("povray"))}};
+    }
+    return view;
+}
+
 PageView grids_view(const ReportData& grids) {
     PageView points = PageView::array();
     for (ReportData point : grids.at("points")) {
@@ -201,6 +273,7 @@ std::string report_page(const ReportData& data, const std::vector<ReportPlot>& p
     if (data.contains("kernels")) view["kernels"] = kernels_view(data.at("kernels"), view.at("plots"));
     if (data.contains("pictures")) view["pictures"] = pictures_view(data.at("pictures"), view.at("plots"));
     if (data.contains("filters")) view["filters"] = filters_view(data.at("filters"), view.at("plots"));
+    if (data.contains("blurs")) view["blurs"] = blurs_view(data, view.at("plots"));
     if (data.contains("grids")) view["grids"] = grids_view(data.at("grids"));
     if (data.contains("stability")) view["stability"] = stability_view(data.at("stability"));
     if (data.contains("leave_out")) view["leave_out"] = leave_out_view(data.at("leave_out"));

@@ -11,6 +11,7 @@
 #include <map>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace rt {
 
@@ -142,7 +143,7 @@ bool is_lone(const ReportData& curve) { return curve.at("points").size() < 2; }
 /// What the key says of a method: its name, the exponent of its error, and in brackets that of the theory.
 std::string curve_title(const ReportData& curve) {
     std::string title = curve.at("method");
-    if (is_lone(curve)) return title;
+    if (is_lone(curve) || curve.at("by_samples").at("points") < 2) return title;
     title += "  " + exponent(curve.at("by_samples"));
     if (curve.at("theory") != 0)
         title += with_real_minus(fmt::format(" ({:g})", curve.at("theory").get<double>()));
@@ -265,6 +266,11 @@ std::vector<ReportPlot> report_plots(const ReportData& data) {
     if (data.contains("filters"))
         for (const auto& scene : data.at("filters"))
             plots.push_back(picture_plot(scene, "filters", "looking up a texture"));
+    for (const auto& [kind, of] : {std::pair{"blurs", "sampling"},
+                                   {"blurs_compared", "blurring"},
+                                   {"povray", "blurring, and of POV-Ray's"}})
+        if (data.contains(kind))
+            for (const auto& scene : data.at(kind)) plots.push_back(picture_plot(scene, kind, of));
     if (data.contains("grids")) {
         plots.push_back(ray_plot(data.at("grids")));
         plots.push_back(build_plot(data.at("grids")));

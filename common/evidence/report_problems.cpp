@@ -44,6 +44,20 @@ void add_filters(Problems& problems, const ReportData& scenes) {
     }
 }
 
+/// Renders of what blurs know how wrong they are, within a factor 1.5, whatever the sampler.
+void add_blurs(Problems& problems, const ReportData& scenes) {
+    for (const auto& scene : scenes)
+        for (const auto& curve : scene.at("curves"))
+            for (const auto& point : curve.at("points")) {
+                const double error = point.at("error"), stated = point.at("estimate");
+                if (!(error <= 1.5 * stated && stated <= 1.5 * error))
+                    problems.push_back(
+                        fmt::format("{}, {}, {} samples a pixel: wrong by {:.3g}, and the renders say {:.3g}",
+                                    text(scene.at("title")), text(curve.at("method")),
+                                    number(point.at("asked")), error, stated));
+            }
+}
+
 void add_grids(Problems& problems, const ReportData& grids) {
     for (const auto& point : grids.at("points"))
         if (point.at("different") > 0)
@@ -80,6 +94,7 @@ std::vector<std::string> report_problems(const ReportData& data) {
     Problems problems;
     if (data.contains("kernels")) add_kernels(problems, data.at("kernels"));
     if (data.contains("filters")) add_filters(problems, data.at("filters"));
+    if (data.contains("blurs")) add_blurs(problems, data.at("blurs"));
     if (data.contains("grids")) add_grids(problems, data.at("grids"));
     if (data.contains("stability")) add_stability(problems, data.at("stability"));
     if (data.contains("leave_out")) add_leave_out(problems, data.at("leave_out"));

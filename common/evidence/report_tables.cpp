@@ -74,7 +74,20 @@ ReportFile picture_table(const ReportData& pictures, const std::string& name) {
     return {name, table.text};
 }
 
-ReportFile slope_table(const ReportData& pictures) {
+/// The same with the rays that a pixel takes.
+ReportFile blur_table(const ReportData& scenes, const std::string& name) {
+    Table table({"scene", "method", "samples_asked", "samples_a_pixel", "cpu_seconds", "rmse",
+                 "estimated_rmse", "least_ratio", "greatest_ratio", "rays_a_pixel"});
+    for (const auto& scene : scenes)
+        for (const auto& curve : scene.at("curves"))
+            for (const auto& point : curve.at("points"))
+                table.row({scene.at("name"), curve.at("method"), point.at("asked"), point.at("samples"),
+                           point.at("seconds"), point.at("error"), point.at("estimate"),
+                           point.at("ratio_low"), point.at("ratio_high"), point.at("rays")});
+    return {name, table.text};
+}
+
+ReportFile slope_table(const ReportData& pictures, const std::string& name) {
     Table table({"scene", "method", "theory", "slope_by_samples", "low", "high", "slope_by_seconds", "low",
                  "high", "stopped_by"});
     for (const auto& scene : pictures)
@@ -86,7 +99,7 @@ ReportFile slope_table(const ReportData& pictures) {
                        samples.at("slope"), samples.at("low"), samples.at("high"), seconds.at("slope"),
                        seconds.at("low"), seconds.at("high"), curve.at("stopped")});
         }
-    return {"slopes.csv", table.text};
+    return {name, table.text};
 }
 
 ReportFile grid_table(const ReportData& grids) {
@@ -142,9 +155,12 @@ std::vector<ReportFile> report_tables(const ReportData& data) {
     }
     if (data.contains("pictures")) {
         tables.push_back(picture_table(data.at("pictures"), "pictures.csv"));
-        tables.push_back(slope_table(data.at("pictures")));
+        tables.push_back(slope_table(data.at("pictures"), "slopes.csv"));
     }
     if (data.contains("filters")) tables.push_back(picture_table(data.at("filters"), "filters.csv"));
+    for (const char* kind : {"blurs", "blurs_compared", "povray"})
+        if (data.contains(kind)) tables.push_back(blur_table(data.at(kind), std::string(kind) + ".csv"));
+    if (data.contains("blurs")) tables.push_back(slope_table(data.at("blurs"), "blurs_slopes.csv"));
     if (data.contains("grids")) tables.push_back(grid_table(data.at("grids")));
     if (data.contains("stability")) tables.push_back(stability_table(data.at("stability")));
     if (data.contains("leave_out")) tables.push_back(leave_out_table(data.at("leave_out")));

@@ -7,6 +7,7 @@
 #include "chapters/12_distribution/lens.hpp"
 #include "chapters/12_distribution/rectangle_light.hpp"
 #include "references/12_distribution/slopes.hpp"
+#include "tests/stability/blurs.hpp"
 
 #include <bit>
 #include <set>
@@ -257,28 +258,9 @@ Real difference(const Image& a, const Image& b) {
     return std::sqrt(sum / static_cast<Real>(a.pixels.size()));
 }
 
-struct Blurs {
-    bool lens = false, motion = false, lamps = false, gloss = false;
-};
-
-/// The billiard table, small, with some of its blurs. Without the lamps' extent each is a point.
-Scene billiards(const Blurs& blurs) {
-    Scene scene = scene_beside(__FILE__, "billiards", 60, 40);
-    scene.light_samples.all = true;
-    if (!blurs.lens) scene.lens.radius = 0;
-    if (!blurs.motion)
-        for (Object& object : scene.objects) object.motion = Vec3(0);
-    if (!blurs.gloss)
-        for (Finish& finish : scene.finishes) finish.gloss = 0;
-    if (!blurs.lamps) {
-        for (const AreaLightObject& lamp : scene.area_lights) {
-            const auto& quad = std::get<QuadLight>(lamp.light.shape);
-            scene.lights.push_back(PointLight{quad.corner + 0.5 * (quad.ab + quad.ac),
-                                              area(quad) / pi * lamp.light.radiance, Vec3(0, 0, 1)});
-        }
-        scene.area_lights.clear();
-    }
-    return scene;
+/// The billiard table, small, with some of its blurs.
+Scene billiards(const test::Blurs& blurs) {
+    return test::with_blurs(scene_beside(__FILE__, "billiards", 60, 40), blurs);
 }
 
 RenderResult plainly_rendered(const Scene& scene) {
@@ -326,7 +308,7 @@ void write_costs(const Path& out) {
         text += fmt::format("{},16,{:.1f},{:.1f},{:.1f},{:.1f},{:.4f}\n", name, cost.camera, cost.mirrored,
                             cost.shadow, cost.camera + cost.mirrored + cost.shadow, cost.error);
     };
-    const auto add_alone = [&](const char* name, const Blurs& blurs) {
+    const auto add_alone = [&](const char* name, const test::Blurs& blurs) {
         const Scene scene = billiards(blurs);
         add(name, scene, converged(scene));
     };

@@ -140,6 +140,65 @@ TEST_CASE("texture filters have a plot, a table and a part of the page") {
     }
 }
 
+namespace {
+
+/// A curve of two points that says so much of its own error.
+ReportData blur(const char* name, double one, double many, double stated) {
+    ReportData curve = filter(name, one, many);
+    for (ReportData& point : curve.at("points")) point["estimate"] = stated, point["rays"] = 40;
+    return curve;
+}
+
+ReportData blurred_picture(const char* name, const std::vector<ReportData>& curves) {
+    ReportData scene = floor_by_filters(0.015, 0.01).at(0);
+    scene["name"] = name, scene["title"] = name, scene["curves"] = curves;
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("pictures of what blurs that do not know how wrong they are are problems") {
+    const auto problems = [](double stated) {
+        return report_problems(
+            {{"blurs", ReportData::array({blurred_picture("fog", {blur("sobol", 0.02, 0.02, stated)})})}});
+    };
+    CHECK(problems(0.02).empty());
+    CHECK(problems(0.0299).empty());
+    REQUIRE(problems(0.0301).size() == 2);
+    CHECK(problems(0.0134).empty());
+    REQUIRE(problems(0.0133).size() == 2);
+    CHECK(problems(0.0133)[1] == "fog, sobol, 16 samples a pixel: wrong by 0.02, and the renders say 0.0133");
+}
+
+TEST_CASE("blurs have plots, tables and a part of the page, and times to equal error") {
+    ReportData data = some_data(0, 1000);
+    data["blurs"] = ReportData::array({blurred_picture("fog", {blur("sobol", 0.04, 0.01, 0.02)})});
+    // In a millisecond a sample: the first is at .01 after 16 ms, the second between .02 and .005 after 4 ms,
+    // the last never.
+    data["blurs_compared"] = ReportData::array(
+        {blurred_picture("two_lamps", {blur("one", 0.04, 0.01, 0), blur("all", 0.02, 0.005, 0),
+                                       blur("none", 0.04, 0.02, 0)})});
+    const auto tables = report_tables(data);
+    CHECK(tables[0].name == "blurs.csv");
+    CHECK(tables[0].content.ends_with("fog,sobol,16,16,0.016,0.01,0.02,0,0,40\n"));
+    const std::vector<ReportPlot> plots = report_plots(data);
+    CHECK(plots[0].name == "blurs_fog");
+    CHECK(plots[1].name == "blurs_compared_two_lamps");
+    const auto shows = [&](const char* text) {
+        const std::string page = report_page(data, plots, "./course report error-time");
+        INFO(text);
+        CHECK(page.find(text) != std::string::npos);
+    };
+    shows("id=\"blurs\"");
+    shows("src=\"blurs_fog.svg\"");
+    shows("<td>one</td><td>0.0100</td><td>16.0</td><td>1.00</td>");
+    shows("<td>all</td><td>0.0100</td><td>4.00</td><td>0.250</td>");
+    shows("<td>none</td><td>0.0100</td><td>never</td><td>–</td><td>0.0200</td>");
+    shows("POV-Ray is not installed.");
+    data["povray"] = data["blurs_compared"];
+    shows("of ours");
+}
+
 TEST_CASE("the page shows the parts that were measured, names its command and links its data") {
     const ReportData data = some_data(0, 1000);
     const std::vector<ReportPlot> plots = report_plots(data);

@@ -5,7 +5,7 @@
 #include "common/render/compile.hpp"
 #include "common/render/integrators.hpp"
 #include "common/scene/parse.hpp"
-#include "tests/report/picture_errors.hpp"
+#include "tests/report/curves.hpp"
 #include "tests/stability/coverage.hpp"
 
 #include <algorithm>
@@ -98,51 +98,18 @@ Scene read(const Subject& subject, const std::string& repository, int height) {
 
 // -------------------------------------------------------------------------------------------- methods
 
-struct Way {
+struct Method {
     const char* name;
     Sampler sampler;
     bool adaptive;
     double on_edges, on_smooth;  ///< the exponents of theory; 0 where none is printed
 };
 
-constexpr Way ways[] = {
+constexpr Method methods[] = {
     {"random", Sampler::Random, false, -0.5, -0.5},    {"regular", Sampler::Regular, false, 0, -1},
     {"jittered", Sampler::Jittered, false, -0.75, -1}, {"Poisson disk", Sampler::Poisson, false, 0, 0},
     {"adaptive", Sampler::Jittered, true, 0, 0},
 };
-
-PicturePoint measure_point(Scene& scene, const Way& way, int count, const Image& truth, int repeats) {
-    PicturePoint point{count, 1, 0, 0, 0, infinity, 0};
-    std::vector<double> seconds, errors, estimates;
-    for (int i = 0; i < repeats; ++i) {
-        const Sampling sampling{count, way.sampler, way.adaptive, {}, static_cast<std::uint64_t>(i)};
-        const RenderResult timed = render_with(scene, sampling, drawn_only(1));
-        seconds.push_back(timed.cpu_seconds);
-        errors.push_back(rmse(timed.image, truth));
-        point.samples = timed.samples_per_pixel;
-        if (count == 1) continue;
-        const Real estimate = render_with(scene, sampling, {}).rms_error.value_or(0);
-        estimates.push_back(estimate);
-        point.ratio_low = std::min(point.ratio_low, errors.back() / estimate);
-        point.ratio_high = std::max(point.ratio_high, errors.back() / estimate);
-    }
-    if (count == 1) point.ratio_low = 0;
-    point.seconds = median(seconds);
-    point.error = root_mean_square(errors);
-    point.estimate = root_mean_square(estimates);
-    return point;
-}
-
-/// What stops a curve: told from where its last points lie and how steep they are.
-std::string what_stopped(const PictureCurve& curve, const Truth& truth) {
-    const PicturePoint& last = curve.points.back();
-    if (truth.error > 0 && last.error < 3 * truth.error)
-        return truth.analytic ? "rounding" : "the truth's own error";
-    const PicturePoint& before = curve.points[curve.points.size() - 2];
-    const double slope = std::log(last.error / before.error) / std::log(last.samples / before.samples);
-    if (slope > curve.by_samples.slope / 2) return "its pattern, which falls on each edge in its own way";
-    return "nothing yet: the samples ended";
-}
 
 PictureScene measure(const Subject& subject, const std::string& repository, const PictureOptions& options,
                      const Told& told) {
@@ -158,30 +125,25 @@ PictureScene measure(const Subject& subject, const std::string& repository, cons
     result.truth_error = truth.error;
     result.truth_samples = truth.samples;
 
-    const Way one{"one sample", Sampler::Regular, false, 0, 0};
+    const Way one{"one sample", Sampler::Regular};
     measure_point(scene, one, 1, truth.image, 1);  // the first render of all is slower
     PictureCurve alone{one.name, {measure_point(scene, one, 1, truth.image, 5)}, {}, {}, 0, ""};
     result.curves.push_back(alone);
 
-    const double all = std::accumulate(options.counts.begin(), options.counts.end(), 0.0) * std::size(ways);
+    const double all =
+        std::accumulate(options.counts.begin(), options.counts.end(), 0.0) * std::size(methods);
     double done = 0;
-    for (const Way& way : ways) {
-        PictureCurve curve{way.name, {}, {}, {}, subject.smooth ? way.on_smooth : way.on_edges, ""};
-        std::vector<double> samples, seconds, errors;
+    for (const Method& method : methods) {
+        const Way way{method.name, method.sampler, method.adaptive,
+                      subject.smooth ? method.on_smooth : method.on_edges};
+        std::vector<PicturePoint> points;
         for (const int count : options.counts) {
-            const PicturePoint point = measure_point(scene, way, count, truth.image, options.repeats);
-            samples.push_back(point.samples);
-            seconds.push_back(point.seconds);
-            errors.push_back(point.error);
-            result.best = std::min(result.best, point.error);
-            curve.points.push_back(point);
+            points.push_back(measure_point(scene, way, count, truth.image, options.repeats));
+            result.best = std::min(result.best, points.back().error);
             done += count;
             told(truth_part + (1 - truth_part) * done / all);
         }
-        curve.by_samples = fit_power_law(samples, errors);
-        curve.by_seconds = fit_power_law(seconds, errors);
-        curve.stopped = what_stopped(curve, truth);
-        result.curves.push_back(std::move(curve));
+        result.curves.push_back(curve_of(way, std::move(points), truth));
     }
     return result;
 }

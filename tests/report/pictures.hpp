@@ -15,6 +15,7 @@ struct PicturePoint {
     double error = 0;
     double estimate = 0;                   ///< what the renders themselves say; 0 for one sample
     double ratio_low = 0, ratio_high = 0;  ///< of error to estimate, over the single renders
+    double rays = 0;                       ///< of all kinds, a pixel
 };
 
 struct PictureCurve {

@@ -1,13 +1,15 @@
 // Program `report_data`: measures what `course report` shows, and writes it as JSON.
-//   report_data [--quick] -o FILE [kernels] [pictures] [filters] [grids] [stability]
+//   report_data [--quick] -o FILE [kernels] [pictures] [filters] [blurs] [povray] [grids] [stability]
 #include "common/image/file.hpp"
 #include "common/math/stopwatch.hpp"
 #include "common/terminal/console.hpp"
+#include "tests/report/blurs.hpp"
 #include "tests/report/families.hpp"
 #include "tests/report/filters.hpp"
 #include "tests/report/grids.hpp"
 #include "tests/report/kernels.hpp"
 #include "tests/report/pictures.hpp"
+#include "tests/report/povray_times.hpp"
 #include "tests/support.hpp"
 
 #include <fmt/core.h>
@@ -70,7 +72,8 @@ Json to_json(const PictureCurve& curve) {
                           {"error", point.error},
                           {"estimate", point.estimate},
                           {"ratio_low", point.ratio_low},
-                          {"ratio_high", point.ratio_high}});
+                          {"ratio_high", point.ratio_high},
+                          {"rays", point.rays}});
     return {{"method", curve.method},
             {"by_samples", to_json(curve.by_samples)},
             {"by_seconds", to_json(curve.by_seconds)},
@@ -159,9 +162,9 @@ int run(std::vector<std::string> arguments) {
     const bool quick = take("--quick");
     const auto option = std::find(arguments.begin(), arguments.end(), "-o");
     if (option == arguments.end() || option + 1 == arguments.end()) {
-        fmt::print(
-            stderr,
-            "report_data: expected [--quick] -o FILE [kernels] [pictures] [filters] [grids] [stability]\n");
+        fmt::print(stderr,
+                   "report_data: expected [--quick] -o FILE [kernels] [pictures] [filters] [blurs] "
+                   "[povray] [grids] [stability]\n");
         return 2;
     }
     const std::string file = *(option + 1);
@@ -179,6 +182,18 @@ int run(std::vector<std::string> arguments) {
     if (take("filters"))
         measure(data, "filters", "texture filters", [&](const Told& told) {
             return measure_filters(test::repository(), quick ? quick_filters() : FilterOptions{}, told);
+        });
+    if (take("blurs")) {
+        const BlursOptions options = quick ? quick_blurs() : BlursOptions{};
+        measure(data, "blurs", "blurs",
+                [&](const Told& told) { return measure_blurs(test::repository(), options, told); });
+        measure(data, "blurs_compared", "ways to blur",
+                [&](const Told& told) { return compare_blurs(test::repository(), options, told); });
+    }
+    if (take("povray") && has_povray())
+        measure(data, "povray", "POV-Ray", [&](const Told& told) {
+            return measure_povray(test::repository(), test::scratch_directory(),
+                                  quick ? quick_povray() : PovrayOptions{}, told);
         });
     if (take("grids"))
         measure(data, "grids", "grids", [&](const Told& told) {

@@ -1,5 +1,6 @@
 // What `course report` measures, small: exponents of errors, and which method is better; never seconds.
 #include "tests/catch.hpp"
+#include "tests/report/blurs.hpp"
 #include "tests/report/families.hpp"
 #include "tests/report/filters.hpp"
 #include "tests/report/grids.hpp"
@@ -218,6 +219,49 @@ TEST_CASE(
     CHECK(errors("trilinear")[0] < 0.5 * errors("bilinear")[0]);
     CHECK(errors("anisotropic")[0] < 0.5 * errors("bilinear")[0]);
     CHECK(scenes[0].truth_error < scenes[0].best / 3);
+}
+
+TEST_CASE("what blurs is sampled better by strata than at random, and its renders know how wrong they are") {
+    const std::vector<PictureScene> scenes = measure_blurs(test::repository(), {8, {4, 16, 64}, 3, 512, 4});
+    REQUIRE(scenes.size() == 5);
+    for (const PictureScene& one : scenes) {
+        REQUIRE(one.curves.size() == 3);
+        const PictureCurve &random = one.curves[0], &jittered = one.curves[1];
+        INFO(one.name << ": random samples err by n^" << random.by_samples.slope << ", jittered ones by n^"
+                      << jittered.by_samples.slope);
+        // From so few pixels exponents scatter by 0.05.
+        CHECK(random.by_samples.slope == Approx(-0.5).margin(0.2));
+        CHECK(jittered.points.back().error < 0.85 * random.points.back().error);
+        for (const PictureCurve& curve : one.curves)
+            for (const PicturePoint& point : curve.points) {
+                INFO(curve.method << ", " << point.asked << " samples a pixel: true " << point.error
+                                  << ", estimated " << point.estimate);
+                CHECK(point.error < 1.5 * point.estimate);
+                CHECK(point.estimate < 1.5 * point.error);
+            }
+    }
+}
+
+TEST_CASE("a near lamp is sampled by angle, few of many lights are asked, and no question is nested") {
+    const std::vector<PictureScene> scenes = compare_blurs(test::repository(), {8, {4, 16}, 2, 256, 2});
+    const auto at = [&](const std::string& name, const std::string& method) {
+        for (const PictureScene& one : scenes)
+            for (const PictureCurve& curve : one.curves)
+                if (one.name == name && curve.method == method) return curve.points.back();
+        FAIL(name << ", " << method);
+        return PicturePoint{};
+    };
+    CHECK(at("near_lamp", "by angle").error < 0.5 * at("near_lamp", "by area").error);
+    CHECK(at("many_lights", "one light at random").rays < 0.2 * at("many_lights", "all").rays);
+    // Sixteen times the shadow rays, and hardly less error.
+    const PicturePoint one = at("nesting", "one shadow ray to a lamp"),
+                       many = at("nesting", "16 shadow rays");
+    INFO("nested: " << many.rays << " rays and " << many.error << " instead of " << one.rays << " and "
+                    << one.error);
+    CHECK(many.rays > 8 * one.rays);
+    CHECK(many.error > 0.5 * one.error);
+    // All blurs together take as many rays as none.
+    CHECK(at("together", "all blurs").rays < 1.1 * at("together", "no blur").rays);
 }
 
 TEST_CASE("a grid asks few triangles, ever fewer of them all, and answers as brute force does") {

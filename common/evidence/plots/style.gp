@@ -16,6 +16,9 @@ orange = '#d98514'
 violet = '#8f6fd6'
 grey = '#858c95'
 faint = '#7c848e'
-sampling_color(method) = method eq 'random' || method eq 'nearest' ? red \
-    : method eq 'regular' || method eq 'bilinear' ? orange : method eq 'jittered' || method eq 'trilinear' ? blue \
-    : method eq 'Poisson disk' || method eq 'anisotropic' ? green : method eq 'adaptive' ? violet : grey
+among(methods, method) = strstrt('|'.methods.'|', '|'.method.'|') > 0
+sampling_color(method) = among('random|nearest|by area|all|16 shadow rays|all blurs|area_light|focal_blur', method) ? red \
+    : among('regular|bilinear|4 shadow rays|lamps|area_light, adaptive|focal_blur, variance', method) ? orange \
+    : among('jittered|trilinear|by angle|one light at random|one shadow ray to a lamp|lens|ours', method) ? blue \
+    : among('Poisson disk|anisotropic|sobol|motion|as many spotlights', method) ? green \
+    : among('adaptive|gloss|area_illumination', method) ? violet : grey
