@@ -367,8 +367,10 @@ void write_blur(Author& a, std::uint64_t number) {
            b.one_of({"on", "off"}), b.one_of({"angle", "area"}), b.one_of({"all", "one"}));
     a.line("motion {}\nmotion 0 0 0\ngloss {}\ntranslucency {}", triple(Vec3(0, 0.2 * blurred, 0)),
            blurred > 0 ? b.one_of({"0", "20"}) : "0", blurred > 0 ? b.one_of({"0", "20"}) : "0");
-    a.line("brdf {}\nroughness {:.5g}\ngamma {}", b.one_of({"phong", "ggx"}), b.uniform(0, 1),
-           b.one_of({"1", "2.2"}));
+    const auto gamma = b.one_of({"1", "2.2"});
+    const Real roughness = b.uniform(0, 1);
+    const auto brdf = b.one_of({"phong", "ggx"});
+    a.line("brdf {}\nroughness {:.5g}\ngamma {}", brdf, blurred > 0 ? roughness : 0, gamma);
     if (blurred == 0) return;
     const Real u = a.unit;
     a.line("quadLight {} {} {} .1 .1 .1", triple(u * Vec3(-1, 4, 0)), triple(u * Vec3(0, 0, 1)),

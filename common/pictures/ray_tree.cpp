@@ -82,7 +82,7 @@ ordered_json ray_tree(const Scene& scene, int x, int y) {
         throw InputError(
             scene.file +
             ": each sample of a pixel has its own tree of rays here, because of area lights, motion, "
-            "gloss or translucency: there is no one tree to show");
+            "gloss, translucency or roughness: there is no one tree to show");
     const Ray ray = pixel_ray(world.view, x + 0.5, y + 0.5);
     ordered_json rays = ordered_json::array();
     Vec3 color(0);

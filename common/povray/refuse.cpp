@@ -117,7 +117,10 @@ void refuse_bumps(const Scene& scene, const Object& object) {
 /// Of the finish, what the integrator looks at.
 void refuse_finish(const Scene& scene, const Object& object, const Finish& finish) {
     if (finish.kind != FinishKind::Plain) refuse(scene, object, "a finish, whose lobe it does not have");
-    if (has_bounces(scene) && (finish.gloss > 0 || finish.translucency > 0))
+    const bool rough =
+        finish.brdf == Brdf::Ggx && finish.roughness > 0 &&
+        !(is_black(material_of(scene, object).specular) && !is_transparent(material_of(scene, object)));
+    if (has_bounces(scene) && (finish.gloss > 0 || finish.translucency > 0 || rough))
         refuse(scene, object, "mirrored or refracted rays that spread in a lobe");
 }
 

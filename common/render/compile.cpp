@@ -140,15 +140,21 @@ void derive_distribution(const Scene& scene, World& world) {
         world.area_lights.samples = scene.light_samples;
         if (!scene.light_samples.all) world.area_lights.chances = chances_of(world.area_lights.lights);
     }
-    const auto is_glossy = [&](const Object& object) {
-        const std::int32_t finish = scene.materials[object.material].finish;
-        if (finish < 0) return false;
-        const Finish& of = scene.finishes[static_cast<std::size_t>(finish)];
-        return (needs.reflection && of.gloss > 0) || (needs.refraction && of.translucency > 0);
+    const auto any_finish = [&](auto spreads) {
+        return std::ranges::any_of(scene.objects, [&](const Object& object) {
+            const Material& m = scene.materials[object.material];
+            return m.finish >= 0 && spreads(m, scene.finishes[static_cast<std::size_t>(m.finish)]);
+        });
     };
-    needs.gloss = std::ranges::any_of(scene.objects, is_glossy);
-    if (needs.gloss || scene.integrator == Integrator::Direct) world.finishes = scene.finishes;
-    needs.distribution = needs.area_lights || needs.gloss || needs.motion;
+    needs.gloss = any_finish([&](const Material&, const Finish& of) {
+        return (needs.reflection && of.gloss > 0) || (needs.refraction && of.translucency > 0);
+    });
+    needs.rough = any_finish([&](const Material& m, const Finish& of) {
+        const bool sends_on = (needs.reflection && !is_zero(m.specular)) || !is_zero(m.transmission);
+        return (needs.reflection || needs.refraction) && sends_on && of.brdf == Brdf::Ggx && of.roughness > 0;
+    });
+    if (needs.gloss || needs.rough || scene.integrator == Integrator::Direct) world.finishes = scene.finishes;
+    needs.distribution = needs.area_lights || needs.gloss || needs.rough || needs.motion;
 }
 
 void derive_needs(const Scene& scene, World& world) {

@@ -174,7 +174,7 @@ void explain_features(const Scene& scene, const World& world, Explanation& expla
                  "nothing moves");
     sort.feature(needs.area_lights, "points of area lights", "some light has an extent",
                  "no light has an extent, or nothing asks for it");
-    sort.feature(needs.gloss, "spread rays", "some material is glossy or translucent",
+    sort.feature(needs.gloss || needs.rough, "spread rays", "some material is glossy, translucent or rough",
                  "every mirrored and refracted ray has one direction");
     if (needs.samples)
         explanation.kept.push_back(

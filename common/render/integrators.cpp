@@ -8,6 +8,7 @@
 #include "common/render/filtered.hpp"
 #include "common/render/groups.hpp"
 #include "common/render/lights.hpp"
+#include "common/render/rough.hpp"
 #include "common/scene/integrators.hpp"
 
 namespace rt {
@@ -169,6 +170,7 @@ Vec3 radiance_color(const World& world, const Ray& ray, Stream&) { return radian
 
 RayColor raytrace(const World& world) {
     const Needs& needs = world.needs;
+    if (needs.rough) return rough_distributed;
     if (needs.distribution) return distributed;
     if (needs.footprints) return filtered_radiance;
     if (needs.reflection || needs.refraction) return radiance_color;

@@ -145,8 +145,9 @@ struct Needs {
     bool motion = false;           ///< something moves while the shutter is open, or the camera does
     bool blur = false;             ///< lens or motion: camera rays draw random numbers
     bool area_lights = false;      ///< some light has an extent
-    bool gloss = false;            ///< some mirrored or refracted rays are spread
-    bool distribution = false;  ///< motion, area lights or gloss: rays draw random numbers after the camera
+    bool gloss = false;            ///< some mirrored or refracted rays are spread by Phong's lobe
+    bool rough = false;            ///< some are, by facets of GGX
+    bool distribution = false;  ///< motion, area lights or either: rays draw random numbers after the camera
     bool samples = false;       ///< pixels have more than one sample, or share samples by a wide filter
 };
 

@@ -448,6 +448,11 @@ std::vector<Case> cases() {
          .with_feature = head + lamp_text + "specular .5 .5 .5\ngloss 20\n" + balls_text(),
          .minimal = balls_by_lamp,
          .bytes = memory(balls, 2, 1)},
+        {.feature = "facets",
+         .scene = head + lamp_text + balls_text(),
+         .with_feature = head + lamp_text + "specular .5 .5 .5\nbrdf ggx\nroughness .3\n" + balls_text(),
+         .minimal = balls_by_lamp,
+         .bytes = memory(balls, 2, 1)},
         {.feature = "coloured shadows",
          .scene = head + "maxdepth 0\n" + lamp_text + sun_text + balls_text(),
          .with_feature =

@@ -179,7 +179,8 @@ const CommandRow rows[] = {
      [](Parser& p) { set_gloss(p, &Finish::translucency, "the exponent of the translucency"); }},
     {{"brdf", alternatives(brdfs),
       "For the objects that follow, in the integrator `direct`: highlights by Phong's lobe (default) or by "
-      "GGX.",
+      "GGX. In `raytrace`, `ggx` spreads mirrored and refracted rays by facets, instead of `gloss` and "
+      "`translucency`.",
       "12"},
      [](Parser& p) { p.finish.brdf = choice(p, brdfs); }},
     {{"roughness", "alpha", "For the objects that follow: α of GGX, from 0 to 1; default 1.", "12"},
