@@ -5,6 +5,7 @@
 #include "common/math/input_error.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/integrators.hpp"
+#include "common/render/patterns.hpp"
 #include "common/render/trace.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rt {
 
@@ -71,6 +73,17 @@ ordered_json to_json(const Scene& scene, const World& world, const TraceRecord& 
     return json;
 }
 
+/// The ray of a pixel's first sample, and the random numbers that are left for what it meets.
+std::pair<Ray, Stream> first_sample(const World& world, int x, int y) {
+    const int count = world.sampling.count;
+    const Patterns patterns =
+        patterns_for(world, count == 1 ? Sampler::Regular : world.sampling.sampler, count);
+    Stream stream = stream_of(world, patterns, x, y, 0, count);
+    const Vec2 at = pattern_of(world, patterns, x, y, 0, count).front().at;
+    const Ray ray = camera_ray(world, Vec2(x, y) + at, stream);
+    return {ray, stream};
+}
+
 }  // namespace
 
 ordered_json ray_tree(const Scene& scene, int x, int y) {
@@ -78,15 +91,13 @@ ordered_json ray_tree(const Scene& scene, int x, int y) {
         throw InputError(
             fmt::format("pixel ({}, {}) is outside the picture of {} × {}", x, y, scene.width, scene.height));
     const World world = compile(scene);
-    if (world.needs.distribution)
-        throw InputError(
-            scene.file +
-            ": each sample of a pixel has its own tree of rays here, because of area lights, motion, "
-            "gloss, translucency or roughness: there is no one tree to show");
-    const Ray ray = pixel_ray(world.view, x + 0.5, y + 0.5);
+    const bool sampled = world.needs.distribution;
+    auto [ray, stream] =
+        sampled ? first_sample(world, x, y) : std::pair{pixel_ray(world.view, x + 0.5, y + 0.5), Stream()};
     ordered_json rays = ordered_json::array();
     Vec3 color(0);
-    std::vector<TraceRecord> tree = trace_tree(world, ray, most_rays + 1);
+    std::vector<TraceRecord> tree =
+        sampled ? trace_sample(world, ray, stream, most_rays + 1) : trace_tree(world, ray, most_rays + 1);
     const bool complete = tree.size() <= most_rays;
     if (!complete) tree.pop_back();
     for (const TraceRecord& record : tree) {
@@ -96,7 +107,7 @@ ordered_json ray_tree(const Scene& scene, int x, int y) {
     return {{"scene", scene.file},
             {"x", x},
             {"y", y},
-            {"color", to_json(color_along(world, ray))},
+            {"color", to_json(color_function(world)(world, ray, stream))},
             {"tree_color", to_json(color)},
             {"complete", complete},
             {"rays", rays}};

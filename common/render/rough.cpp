@@ -74,6 +74,14 @@ Real facet_alpha(const World& world, const Material& material) {
     return sends_on ? alpha_of(DiffuseGgx{Vec3(0), Vec3(1), finish.roughness}) : 0;
 }
 
+std::vector<Branch> spread_branches(const World& world, const Branch& incoming, const Hit& hit,
+                                    const Surface& surface, const Material& material, Stream& stream) {
+    if (incoming.depth >= world.max_depth) return {};
+    const Meeting at{world, incoming, hit, surface, material};
+    const Real alpha = facet_alpha(world, material);
+    return alpha > 0 ? sent_on_by_facets(at, alpha, next_point(stream)) : sent_on(at, stream);
+}
+
 Vec3 rough_distributed(const World& world, const Ray& ray, Stream& stream) {
     Branch camera;
     camera.ray = ray;
@@ -96,11 +104,7 @@ Vec3 rough_distributed(const World& world, const Ray& ray, Stream& stream) {
         const Vec3 n = turned_to_viewer(surface.shading_normal, branch.ray.direction);
         sum += branch.weight *
                local_light(world, surface, material, n, -branch.ray.direction, branch.ray.time, stream);
-        if (branch.depth >= world.max_depth) continue;
-        const Meeting at{world, branch, *hit, surface, material};
-        const Real alpha = facet_alpha(world, material);
-        for (Branch& next :
-             alpha > 0 ? sent_on_by_facets(at, alpha, next_point(stream)) : sent_on(at, stream)) {
+        for (Branch& next : spread_branches(world, branch, *hit, surface, material, stream)) {
             ++(next.kind == RayKind::Reflection ? ray_counts().reflection : ray_counts().refraction);
             stack.push_back(std::move(next));
         }

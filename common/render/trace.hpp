@@ -3,6 +3,7 @@
 
 #include "chapters/05_lighting/lighting.hpp"
 #include "chapters/07_recursion/radiance.hpp"
+#include "common/world/stream.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -35,5 +36,11 @@ struct TraceRecord {
 /// pixel's colour. Worlds that are not ray traced (flat, normals, ...) have one record. The tree ends with
 /// `most` records, though it may go on: a ray that meets glass has two more at every level.
 std::vector<TraceRecord> trace_tree(const World& world, const Ray& ray, std::size_t most = SIZE_MAX);
+
+/// The tree of one sample of a world whose rays draw random numbers (`needs.distribution`): the numbers are
+/// those of `stream`, as the renderer asks for them after the camera. A ray that hits an area light ends
+/// there.
+std::vector<TraceRecord> trace_sample(const World& world, const Ray& ray, Stream stream,
+                                      std::size_t most = SIZE_MAX);
 
 }  // namespace rt

@@ -90,6 +90,35 @@ TEST_CASE("a recorded tree ends where it is told to, with the rays that it would
     }
 }
 
+TEST_CASE("the tree of a sample is what the renderer adds up, whatever is random about it") {
+    const std::string things =
+        "size 24 18\ncamera 0 2 5  0 .4 0  0 1 0  40\nspp 4\nbackground .2 .3 .4\nmaxdepth 3\nlightsamples "
+        "2\n"
+        "directional 1 2 1  .4 .4 .4\nquadLight -1 3 -1  0 0 2  2 0 0  3 3 3\ndiffuse .5 .3 .2\n"
+        "specular .3 .3 .3\nplane 0 0 0  0 1 0\n";
+    const std::string ball =
+        "motion .3 0 0\nsphere -.8 .6 0 .6\nmotion 0 0 0\ntransmission .8 .8 .8\nior 1.4\n";
+    for (const char* spread : {"", "gloss 30\ntranslucency 50\n", "brdf ggx\nroughness .3\n",
+                               "lightchoice one\n", "integrator direct\n"}) {
+        INFO(spread);
+        const World world = test::world_of(spread + things + ball + "sphere .8 .6 .4 .6\n");
+        REQUIRE(world.needs.distribution);
+        std::size_t most = 0;
+        for (int y = 0; y < 18; ++y)
+            for (int x = 0; x < 24; ++x) {
+                Stream stream = stream_of(world, x, y);
+                const Ray ray = camera_ray(world, Vec2(x + 0.5, y + 0.5), stream);
+                const std::vector<TraceRecord> tree = trace_sample(world, ray, stream);
+                Vec3 sum(0);
+                for (const TraceRecord& record : tree) sum += record.weight * record.local;
+                most = std::max(most, tree.size());
+                const Vec3 color = color_function(world)(world, ray, stream);
+                CHECK(length(sum - color) <= 1e-12 * length(color));
+            }
+        CHECK(most > (world.integrator == Integrator::Direct ? 0u : 3u));
+    }
+}
+
 TEST_CASE("decisions change where something else is hit, and not inside of one surface") {
     const World world = test::world_of(R"(size 9 9
 camera 0 0 5  0 0 0  0 1 0  45
