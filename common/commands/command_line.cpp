@@ -201,7 +201,7 @@ void add_report(CommandLine& line) {
     sub->add_option("what", line.report.what, "error-time, stability or leave-out; default: all three");
     sub->add_option("-o,--output", line.report.output, "directory of the page; default: build/report");
     sub->add_flag("--quick", line.report.quick,
-                  "half a minute instead of five: fewer cases, samples and triangles");
+                  "a minute or two instead of ten: fewer cases, samples and triangles");
 }
 
 void add_test(CommandLine& line) {

@@ -126,7 +126,7 @@ int run_tour(const TourCommand& command, const Project& project = this_project()
 struct ReportCommand {
     std::string what;              ///< "error-time", "stability" or "leave-out"; empty: all three
     std::filesystem::path output;  ///< directory of the page; empty: `report` in the build directory
-    bool quick = false;            ///< fewer cases and samples: half a minute instead of five
+    bool quick = false;            ///< fewer cases and samples: a minute or two instead of ten
     bool json = false;
 };
 

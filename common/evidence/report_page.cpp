@@ -171,7 +171,7 @@ PageView equal_errors_view(const ReportData& scenes) {
             rows.push_back({{"title", scene.at("title")},
                             {"method", curve.at("method")},
                             {"error", number_text(error)},
-                            {"ms", seconds ? number_text(*seconds * 1e3) : "never"},
+                            {"ms", seconds ? number_text(*seconds * 1e3) : "not reached"},
                             {"times", seconds ? number_text(*seconds / its_own) : "–"},
                             {"best", number_text(best)}});
         }

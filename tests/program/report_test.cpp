@@ -193,7 +193,7 @@ TEST_CASE("blurs have plots, tables and a part of the page, and times to equal e
     shows("src=\"blurs_fog.svg\"");
     shows("<td>one</td><td>0.0100</td><td>16.0</td><td>1.00</td>");
     shows("<td>all</td><td>0.0100</td><td>4.00</td><td>0.250</td>");
-    shows("<td>none</td><td>0.0100</td><td>never</td><td>–</td><td>0.0200</td>");
+    shows("<td>none</td><td>0.0100</td><td>not reached</td><td>–</td><td>0.0200</td>");
     shows("POV-Ray is not installed.");
     data["povray"] = data["blurs_compared"];
     shows("of ours");

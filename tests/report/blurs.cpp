@@ -71,11 +71,10 @@ Scene billiards(const std::string& repository, const test::Blurs& blurs, int hei
 
 // Measuring -------------------------------------------------------------------------------------------
 
-/// A curve: a scene, how it is sampled, and how many samples it may have.
+/// A curve: a scene, and how it is sampled.
 struct Contender {
     Scene scene;
     Way way;
-    int most = 1 << 30;
 };
 
 PictureScene named(const std::string& name, const std::string& title, const Scene& scene,
@@ -97,7 +96,6 @@ PictureScene measured(PictureScene result, std::vector<Contender> contenders, co
     for (const int count : options.counts)
         for (std::size_t i = 0; i < contenders.size(); ++i) {
             Contender& one = contenders[i];
-            if (count > one.most) continue;
             points[i].push_back(
                 measure_point(one.scene, one.way, count, truth.image, options.repeats, estimated));
             result.best = std::min(result.best, points[i].back().error);
@@ -141,9 +139,7 @@ PictureScene nested(const std::string& repository, const BlursOptions& options) 
     std::vector<Contender> contenders;
     for (const auto& [shadow_rays, name] :
          {std::pair{1, "one shadow ray to a lamp"}, {4, "4 shadow rays"}, {16, "16 shadow rays"}}) {
-        // Each of the nested ones has two points at least.
-        contenders.push_back({scene, {name, Sampler::Jittered}, options.counts.back() / shadow_rays});
-        contenders.back().most = std::max(contenders.back().most, options.counts[1]);
+        contenders.push_back({scene, {name, Sampler::Jittered}});
         contenders.back().scene.light_samples.count = shadow_rays;
         contenders.back().scene.light_samples.stratified = true;
     }

@@ -180,7 +180,7 @@ PictureScene soft_shadows(const Povray& povray, const PovrayOptions& options) {
     for (const int level : {0, 2, 3})
         adaptive.push_back({289, {"N=17", "Mode=0", "Jitter=1", fmt::format("Adaptive={}", level)}});
     curves.push_back(povray_curve("area_light", povray, scene, plain));
-    curves.push_back(povray_curve("area_light, adaptive", povray, scene, adaptive));
+    curves.push_back(povray_curve("adaptive area_light", povray, scene, adaptive));
     curves.push_back(povray_curve("area_illumination", povray, scene, lit));
     curves.push_back(povray_curve("as many spotlights", povray, scene, lamps));
     return finished("povray_shadow", "Soft shadows of three balls", scene, truth,
@@ -210,7 +210,7 @@ PictureScene depth_of_field(const Povray& povray, const PovrayOptions& options) 
     for (const char* variance : {"0.0078125", "0.001", "0.0001"})
         adaptive.push_back({400, {"N=400", fmt::format("Variance={}", variance)}});
     curves.push_back(povray_curve("focal_blur", povray, scene, all));
-    curves.push_back(povray_curve("focal_blur, variance", povray, scene, adaptive));
+    curves.push_back(povray_curve("focal_blur with variance", povray, scene, adaptive));
     return finished("povray_blur", "Balls out of focus over checkers", scene, truth,
                     in_turns(curves, truth, options.repeats, start_of(povray, {"N=0"})));
 }

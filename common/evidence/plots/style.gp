@@ -18,7 +18,7 @@ grey = '#858c95'
 faint = '#7c848e'
 among(methods, method) = strstrt('|'.methods.'|', '|'.method.'|') > 0
 sampling_color(method) = among('random|nearest|by area|all|16 shadow rays|all blurs|area_light|focal_blur', method) ? red \
-    : among('regular|bilinear|4 shadow rays|lamps|area_light, adaptive|focal_blur, variance', method) ? orange \
+    : among('regular|bilinear|4 shadow rays|lamps|adaptive area_light|focal_blur with variance', method) ? orange \
     : among('jittered|trilinear|by angle|one light at random|one shadow ray to a lamp|lens|ours', method) ? blue \
     : among('Poisson disk|anisotropic|sobol|motion|as many spotlights', method) ? green \
     : among('adaptive|gloss|area_illumination', method) ? violet : grey
