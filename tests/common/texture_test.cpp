@@ -134,12 +134,64 @@ TEST_CASE("a plane exactly between two stripes has one colour") {
     }
 }
 
-TEST_CASE("surfaces without texture coordinates refuse a picture") {
-    CHECK(error_of("texture four.pfm\nimplicit -1 -1 -1 1 1 1 x\n") ==
-          "test.scene:4:1: this implicit surface has no texture coordinates for its 'texture'");
-    CHECK(error_of("texture four.pfm\nunion\nsphere 0 0 0 1\nsphere 1 0 0 1\nend\n")
-              .find("has no texture coordinates") != std::string::npos);
-    CHECK(error_of("marble 1 1 1 0 0 0 1\nimplicit -1 -1 -1 1 1 1 x\n").empty());
+TEST_CASE("a polygon shows its picture from its first vertex to its second and its last") {
+    const std::string square =
+        "orthographic 2\nambient 1 1 1\ntexturefilter nearest\ntexture four.pfm\n"
+        "vertex -1 -1 0\nvertex 1 -1 0\nvertex 1 1 0\nvertex -1 1 0\n";
+    const Image seen = picture_with(square + "polygon 0 1 2 3\n");
+    CHECK(pixel(seen, 0, 0) == Vec3(1, 0, 0));
+    CHECK(pixel(seen, 7, 0) == Vec3(0, 1, 0));
+    CHECK(pixel(seen, 0, 7) == Vec3(0, 0, 1));
+    const Image turned = picture_with(square + "rotate 0 0 1 180\npolygon 0 1 2 3\n");
+    CHECK(pixel(turned, 0, 0) == Vec3(0.5));
+    CHECK(pixel(turned, 7, 7) == Vec3(1, 0, 0));
+    CHECK(
+        error_of("texture four.pfm\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex -1 1 0\nvertex -1 0 0\n"
+                 "polygon 0 1 2 3 4\n") ==
+        "test.scene:9:1: the corner of this polygon between its last, first and second vertex, which tells "
+        "where its picture lies, is straight: begin with another vertex");
+}
+
+TEST_CASE("a ball that a quadric, a formula or a combination says shows the ball's picture") {
+    const std::string look = "ambient 1 1 1\ntexture four.pfm\n", turned = "rotate 1 2 3 40\n";
+    const std::string quadric = "quadric 1 1 1 0 0 0 0 0 0 -1 -2 -2 -2 2 2 2\n",
+                      formula = "implicit -2 -2 -2 2 2 2 x^2+y^2+z^2-1\n",
+                      both = "intersection\nsphere 0 0 0 1\nbox -2 -2 -2 2 2 2\nend\n";
+    for (const std::string& place : {std::string(), turned}) {
+        const Image ball = picture_with(look + place + "sphere 0 0 0 1\n");
+        for (const std::string& shape : {quadric, formula, both}) {
+            INFO(place << shape);
+            // The points that are met differ by rounding.
+            CHECK(test::differing(ball, picture_with(look + place + shape), 1e-9) == 0);
+        }
+    }
+}
+
+TEST_CASE("the parts of a combination show pictures as they would alone") {
+    const std::string look = "ambient 1 1 1\ntexturefilter nearest\ntexture four.pfm\n";
+    // From a box a tilted half space is taken away, beside what is seen; then all in front of it.
+    const std::string box = "box -1 -1 -1 1 1 1\n", cut = "rotate 0 0 1 90\nplane 0 0 .5 0 0 -1\n";
+    CHECK(test::differing(picture_with(look + box),
+                          picture_with(look + "difference\n" + box + "sphere 0 0 -1 .5\nend\n")) == 0);
+    const Image face = picture_with(look + "difference\n" + box + cut + "end\n"),
+                wall = picture_with(look + cut);
+    CHECK(pixel(face, 4, 4) == pixel(wall, 4, 4));
+    CHECK(pixel(face, 3, 4) == pixel(wall, 3, 4));
+    CHECK(pixel(face, 4, 3) == pixel(wall, 4, 3));
+    CHECK(pixel(face, 3, 3) != pixel(face, 4, 4));
+}
+
+TEST_CASE("what moves takes its picture along") {
+    const std::string look = "ambient 1 1 1\ntexturefilter nearest\ntexture four.pfm\northographic 1\n";
+    const std::string corners = "vertex 0 0 0\nvertex 2 0 0\nvertex 2 2 0\nvertex 0 2 0\n";
+    for (const std::string& shape :
+         {std::string("tri 0 1 3\n"), std::string("polygon 0 1 2 3\n"), std::string("sphere 0 0 0 1\n")}) {
+        INFO(shape);
+        const Image still = picture_with(look + corners + shape);
+        // So little that no pixel's centre sees another texel.
+        const Image moving = picture_with(look + corners + "motion 1e-9 0 0\n" + shape);
+        CHECK(test::differing(still, moving, 1e-6) <= 1);
+    }
 }
 
 TEST_CASE("a world keeps what varies a material only where the picture shows it") {
