@@ -120,10 +120,9 @@ void write_lights(Author& a) {
     }
 }
 
-/// Sets anew what varies the material; `has_uv` of a shape that has texture coordinates. Noise is seldom:
-/// POV-Ray has its own.
-void write_texturing(Author& a, bool has_uv) {
-    const bool has_picture = has_uv && a.chance(0.15);
+/// Sets anew what varies the material. Noise is seldom: POV-Ray has its own, and knows no normal maps.
+void write_texturing(Author& a) {
+    const bool has_picture = a.chance(0.15);
     if (has_picture && a.chance(0.3)) a.line("texturewrap {}", a.one_of({"repeat", "mirror", "clamp"}));
     if (has_picture && a.chance(0.5))
         a.line("texturefilter {}", a.one_of({"nearest", "bilinear", "bilinear", "trilinear", "anisotropic"}));
@@ -141,6 +140,7 @@ void write_texturing(Author& a, bool has_uv) {
         a.line("textured ambient diffuse emission");
     a.line("finish {}",
            a.chance(0.05) ? a.one_of({"matte", "velvet .3", "metal .4", "coated 1.4"}) : "plain");
+    a.line("normalmap {}", a.chance(0.03) ? "random.png" : "off");
     a.line("bumps {} {:.5g}", a.chance(0.03) ? fmt::format("{:.5g}", a.unit * 0.01) : "0", a.unit * 0.1);
 }
 
@@ -327,7 +327,7 @@ void write_object(Author& a) {
     const bool round_or_box = !triangles_only && kind != 5 && kind < 8 && a.chance(0.5);
     // Single faces have no inside, so no glass.
     write_material(a, kind >= 5 && kind < 8 ? 0 : 0.35);
-    write_texturing(a, kind != 5 && !round_or_box);
+    write_texturing(a);
     if (kind == 5) return write_polygon(a);
     const bool moved = kind <= 7 && a.chance(0.4);
     if (moved) write_transform(a);
@@ -347,7 +347,7 @@ void write_object(Author& a) {
 /// A floor, seldom a wall or a glass one; it never runs along an axis, where rounding would choose a checker.
 void write_plane(Author& a) {
     write_material(a, 0.15);
-    write_texturing(a, true);
+    write_texturing(a);
     const Vec3 normal = a.chance(0.8) ? Vec3(a.uniform(-0.1, 0.1), 1, a.uniform(-0.1, 0.1))
                                       : Vec3(a.uniform(-0.3, 0.3), a.uniform(-0.3, 0.3), 1);
     const Vec3 point = normal.z == 1 ? Vec3(0, 0, -3) : Vec3(0, a.uniform(-1.6, -1), 0);

@@ -62,13 +62,14 @@ struct Arrival {
 };
 
 Arrival arrival(const World& world, const Ray& ray, const RayDifferential& change, const Hit& hit) {
-    Arrival at{surface_at(world, ray, hit), {}, 0, {}};
+    Arrival at{surface_without_bumps(world, ray, hit), {}, 0, {}};
     const TexturePoint texture = texture_point_at(world, ray, hit, at.surface);
     at.change = transferred(change, ray, hit.t, at.surface.normal);
     at.curvature = curvature_at(world, hit);
     const Footprint seen = footprint(texture.du, texture.dv, at.change.origin_dx, at.change.origin_dy);
+    if (world.needs.bumps) apply_bumps(world, ray, hit, &seen, at.surface);
     at.material = world.materials[material_index(world, hit, at.surface)];
-    apply_texture(world, hit, at.surface, &seen, at.material);
+    if (world.needs.textures) apply_texture(world, hit, at.surface, &seen, at.material);
     return at;
 }
 

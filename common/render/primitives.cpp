@@ -134,7 +134,7 @@ struct PrimitiveBuilder {
         if constexpr (!has_uv<Shape>)
             if (shows_picture())
                 limits().fail("this " + std::string(words_of(object->shape).name) +
-                              " has no texture coordinates for its 'texture'");
+                              " has no texture coordinates for its picture");
         if (tree) {
             // Shapes without an inside have been refused where the file was read.
             if constexpr (is_solid<Shape>(std::type_identity<Solid>())) {
@@ -148,7 +148,10 @@ struct PrimitiveBuilder {
     }
 
     /// Whether the object's material has something at texture coordinates that the world shows.
-    bool shows_picture() const { return !world.textures.empty() && world.textures[object->material].picture; }
+    bool shows_picture() const {
+        return (!world.textures.empty() && world.textures[object->material].picture.image) ||
+               (!world.normal_maps.empty() && world.normal_maps[object->material].image);
+    }
 
     bool moves() const { return object->motion != Vec3(0); }
 

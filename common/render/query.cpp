@@ -131,12 +131,16 @@ std::vector<Hit> all_hits(const SharedMesh& mesh, const Ray& local) {
     return hits;
 }
 
-Surface surface_at(const World& world, const Ray& ray, const Hit& hit) {
+Surface surface_without_bumps(const World& world, const Ray& ray, const Hit& hit) {
     const Primitive& primitive = world.primitives[hit.primitive];
-    Surface surface = visit_group(world.groups[primitive.group], [&](const auto& group) {
+    return visit_group(world.groups[primitive.group], [&](const auto& group) {
         return surface_in(world, group, primitive.index, ray, hit);
     });
-    if (world.needs.bumps) apply_bumps(world, ray, hit, surface);
+}
+
+Surface surface_at(const World& world, const Ray& ray, const Hit& hit) {
+    Surface surface = surface_without_bumps(world, ray, hit);
+    if (world.needs.bumps) apply_bumps(world, ray, hit, nullptr, surface);
     return surface;
 }
 

@@ -53,7 +53,7 @@ enum class Fresnel { None, Exact, Schlick };
 enum class Highlight { Blinn, Phong };
 
 /// How diffuse light is spread: evenly, or as a lobe of chapter 11 does.
-enum class FinishKind { Plain, Matte, Velvet, Metal, Coated };
+enum class FinishKind { Plain, Matte, Velvet, Metal, Coated, Glass };
 /// The formula by which the integrator `direct` reflects light.
 enum class Brdf { Phong, Ggx };
 /// What few materials ask for: how light is spread, where it is neither evenly nor as in a mirror.
@@ -82,6 +82,7 @@ struct Material {
     Fresnel fresnel = Fresnel::None;
     std::int32_t finish = -1;  ///< index into Scene::finishes; −1 is plain
     Vec3 absorption{0};        ///< Beer–Lambert coefficient inside, per world unit
+    Real finish_factor = 1;    ///< on the roughness of the finish, where a texture changes it
     friend bool operator==(const Material&, const Material&) = default;
 };
 
