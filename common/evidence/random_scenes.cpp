@@ -120,13 +120,19 @@ void write_lights(Author& a) {
     }
 }
 
-/// Sets anew what varies the material. Noise is seldom: POV-Ray has its own, and knows no normal maps.
-void write_texturing(Author& a) {
-    const bool has_picture = a.chance(0.15);
-    if (has_picture && a.chance(0.3)) a.line("texturewrap {}", a.one_of({"repeat", "mirror", "clamp"}));
-    if (has_picture && a.chance(0.5))
-        a.line("texturefilter {}", a.one_of({"nearest", "bilinear", "bilinear", "trilinear", "anisotropic"}));
+/// Sets anew what varies the material. Noise is seldom: POV-Ray has its own, and knows no normal maps. Those,
+/// and pictures on what had none at first, have random numbers of their own, so that older scenes remain.
+void write_texturing(Author& a, bool had_pictures) {
+    Author own{random_for(a.random.key, a.random.dimension, 2)};
+    Author& of_picture = had_pictures ? a : own;
+    const bool has_picture = of_picture.chance(0.15);
+    if (has_picture && of_picture.chance(0.3))
+        a.line("texturewrap {}", of_picture.one_of({"repeat", "mirror", "clamp"}));
+    if (has_picture && of_picture.chance(0.5))
+        a.line("texturefilter {}",
+               of_picture.one_of({"nearest", "bilinear", "bilinear", "trilinear", "anisotropic"}));
     a.line("texture {}", has_picture ? "random.png" : "off");
+    a.line("normalmap {}", own.chance(0.03) ? "random.png" : "off");
     if (a.chance(0.15))
         a.line("{} {} {} {:.5g}",
                a.one_of({"stripes", "rings", "gradient", "stripes", "rings", "gradient", "marble", "wood",
@@ -140,7 +146,6 @@ void write_texturing(Author& a) {
         a.line("textured ambient diffuse emission");
     a.line("finish {}",
            a.chance(0.05) ? a.one_of({"matte", "velvet .3", "metal .4", "coated 1.4"}) : "plain");
-    a.line("normalmap {}", a.chance(0.03) ? "random.png" : "off");
     a.line("bumps {} {:.5g}", a.chance(0.03) ? fmt::format("{:.5g}", a.unit * 0.01) : "0", a.unit * 0.1);
 }
 
@@ -327,7 +332,7 @@ void write_object(Author& a) {
     const bool round_or_box = !triangles_only && kind != 5 && kind < 8 && a.chance(0.5);
     // Single faces have no inside, so no glass.
     write_material(a, kind >= 5 && kind < 8 ? 0 : 0.35);
-    write_texturing(a);
+    write_texturing(a, kind != 5 && !round_or_box);
     if (kind == 5) return write_polygon(a);
     const bool moved = kind <= 7 && a.chance(0.4);
     if (moved) write_transform(a);
@@ -347,7 +352,7 @@ void write_object(Author& a) {
 /// A floor, seldom a wall or a glass one; it never runs along an axis, where rounding would choose a checker.
 void write_plane(Author& a) {
     write_material(a, 0.15);
-    write_texturing(a);
+    write_texturing(a, true);
     const Vec3 normal = a.chance(0.8) ? Vec3(a.uniform(-0.1, 0.1), 1, a.uniform(-0.1, 0.1))
                                       : Vec3(a.uniform(-0.3, 0.3), a.uniform(-0.3, 0.3), 1);
     const Vec3 point = normal.z == 1 ? Vec3(0, 0, -3) : Vec3(0, a.uniform(-1.6, -1), 0);

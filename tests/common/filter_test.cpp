@@ -68,7 +68,8 @@ TEST_CASE("bricks to the horizon, and in a mirror, are what very many samples of
         REQUIRE(seen.rms_error);
         INFO("error " << error << ", by its own estimate " << *seen.rms_error);
         CHECK(*seen.rms_error < 1.5 * error);
-        // Squares blur; samples of what is blurred do not tell. How much is said in the lesson, and in README.md.
+        // Squares blur; samples of what is blurred do not tell. How much is said in the lesson, and in
+        // README.md.
         if (filter == TextureFilter::Trilinear)
             CHECK(test::near(error / *seen.rms_error, 1.6, 0.15));
         else

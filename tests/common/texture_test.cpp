@@ -284,7 +284,7 @@ std::string normal_map_of(const std::string& name, int side,
     return name;
 }
 
-const std::string normals = "integrator normals\northographic 1\n";
+const std::string shown_normals = "integrator normals\northographic 1\n";
 
 }  // namespace
 
@@ -295,7 +295,7 @@ TEST_CASE("a normal map made of heights shows the normals of a surface with thes
         return unit(Vec3(-0.2 * pi * std::cos(a) * std::cos(b), 0.2 * pi * std::sin(a) * std::sin(b), 1));
     };
     const std::string map = normal_map_of("waves.pfm", 8, normal);
-    const Image seen = picture_with("texturefilter nearest\nnormalmap " + map + "\n" + normals + wall);
+    const Image seen = picture_with("texturefilter nearest\nnormalmap " + map + "\n" + shown_normals + wall);
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x) {
             INFO("pixel (" << x << ", " << y << ")");
@@ -335,7 +335,7 @@ TEST_CASE("a flat normal map changes nothing, and a normal that looks away is tu
     CHECK(test::differing(picture_with(ball), picture_with("normalmap four.pfm\nnormalmap off\n" + ball)) ==
           0);
     const std::string away = normal_map_of("away.pfm", 2, [](const Vec2&) { return unit(Vec3(3, 0, -1)); });
-    for (const Vec3& p : picture_with("normalmap " + away + "\n" + normals + wall).pixels) {
+    for (const Vec3& p : picture_with("normalmap " + away + "\n" + shown_normals + wall).pixels) {
         const Vec3 n = Real(2) * p - Real(1);
         CHECK(test::near(length(n), 1, 1e-9));
         CHECK(n.z >= 0.5);
