@@ -15,7 +15,8 @@ namespace {
 
 Lobe lobe_of(const Finish& finish, const Material& material) {
     const Vec3 color = glm::min(material.diffuse, Vec3(1));
-    const Real roughness = std::clamp(finish.value * material.finish_factor, Real(0), Real(1));
+    const Real roughness =
+        std::clamp(finish.value * static_cast<Real>(material.finish_factor), Real(0), Real(1));
     switch (finish.kind) {
         case FinishKind::Velvet:
             return Velvet{color, roughness};
