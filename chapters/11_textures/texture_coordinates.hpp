@@ -90,12 +90,29 @@ TexturePoint texture_point(const Cone& cone, const Vec3& p, std::uint32_t elemen
 /// closed to a point, du is 0. Given.
 TexturePoint texture_point(const Torus& torus, const Vec3& p, std::uint32_t element);
 
+/// The first vertex is at (0, 0), the second at (1, 0) and the last at (0, 1): so a parallelogram shows the
+/// whole picture, and what is stretched or turned takes its picture along. Where the sine of the corner
+/// between these three is less than `least_corner` there are no coordinates: uv is (0, 0), without tangents.
+/// uv is within 64u/sine of |p − the first vertex|/(the shorter of the two edges). Given.
+TexturePoint texture_point(const Polygon& polygon, const Vec3& p, std::uint32_t element);
+inline constexpr Real least_corner = 0x1p-20;
+
+/// uv is that of a ball around the origin of the shape's own space, through p: its longitude and latitude as
+/// seen from there, at a pole and at the origin as of a ball. du and dv are the ball's, moved along the
+/// radius into the surface, whose normal is the gradient; of `element`s below `surface_face` that of the box.
+/// Both are 0 where there is no normal, or the radius runs in the surface: where the sine of the angle
+/// between the two is less than `least_corner`. Given.
+TexturePoint texture_point(const Implicit& implicit, const Vec3& p, std::uint32_t element);
+TexturePoint texture_point(const Quadric& quadric, const Vec3& p, std::uint32_t element);
+
 // Who needs nothing but uv asks these: the same as of `texture_point`, to the bit, without what its tangents
 // cost. Of other shapes they cost next to nothing. Given, but for [11.1] the side of a cone.
 Vec2 texture_uv(const Sphere& sphere, const Vec3& p, std::uint32_t element);
 Vec2 texture_uv(const OpenCone& open, const Vec3& p, std::uint32_t element);
 Vec2 texture_uv(const Cone& cone, const Vec3& p, std::uint32_t element);
 Vec2 texture_uv(const Torus& torus, const Vec3& p, std::uint32_t element);
+Vec2 texture_uv(const Implicit& implicit, const Vec3& p, std::uint32_t element);
+Vec2 texture_uv(const Quadric& quadric, const Vec3& p, std::uint32_t element);
 
 /// The point of a triangle with these weights of b and c, as in Hit::uv. du and dv are the two vectors of its
 /// plane for which each edge is (its change of u)·du + (its change of v)·dv; both 0 if the corners' uvs lie

@@ -120,14 +120,19 @@ void write_lights(Author& a) {
     }
 }
 
-/// Sets anew what varies the material; `has_uv` of a shape that has texture coordinates. Noise is seldom:
-/// POV-Ray has its own.
-void write_texturing(Author& a, bool has_uv) {
-    const bool has_picture = has_uv && a.chance(0.15);
-    if (has_picture && a.chance(0.3)) a.line("texturewrap {}", a.one_of({"repeat", "mirror", "clamp"}));
-    if (has_picture && a.chance(0.5))
-        a.line("texturefilter {}", a.one_of({"nearest", "bilinear", "bilinear", "trilinear", "anisotropic"}));
+/// Sets anew what varies the material. Noise is seldom: POV-Ray has its own, and knows no normal maps. Those,
+/// and pictures on what had none at first, have random numbers of their own, so that older scenes remain.
+void write_texturing(Author& a, bool had_pictures) {
+    Author own{random_for(a.random.key, a.random.dimension, 2)};
+    Author& of_picture = had_pictures ? a : own;
+    const bool has_picture = of_picture.chance(0.15);
+    if (has_picture && of_picture.chance(0.3))
+        a.line("texturewrap {}", of_picture.one_of({"repeat", "mirror", "clamp"}));
+    if (has_picture && of_picture.chance(0.5))
+        a.line("texturefilter {}",
+               of_picture.one_of({"nearest", "bilinear", "bilinear", "trilinear", "anisotropic"}));
     a.line("texture {}", has_picture ? "random.png" : "off");
+    a.line("normalmap {}", own.chance(0.03) ? "random.png" : "off");
     if (a.chance(0.15))
         a.line("{} {} {} {:.5g}",
                a.one_of({"stripes", "rings", "gradient", "stripes", "rings", "gradient", "marble", "wood",

@@ -10,6 +10,7 @@
 #include "common/povray/placement.hpp"
 #include "common/povray/places.hpp"
 #include "common/povray/refuse.hpp"
+#include "common/povray/shapes.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -28,13 +29,19 @@ std::string textured(const Scene& scene, const Object& object, const std::string
 
 // raytrace and flat -----------------------------------------------------------------------------------------
 
+/// With the texture of its material.
+std::string of_material(const Scene& scene, const Object& object) {
+    if (is_by_parts(scene, object))
+        return open_statement_by_parts(scene, std::get<CombinationObject>(object.shape), part_texture_name);
+    return textured(scene, object, texture_name(scene, object));
+}
+
 std::string lit_object(const Scene& scene, const Object& object) {
-    return textured(scene, object, texture_name(scene, object)) + inside(scene, object) +
-           (scene.shadows ? "" : " no_shadow") + " }";
+    return of_material(scene, object) + inside(scene, object) + (scene.shadows ? "" : " no_shadow") + " }";
 }
 
 std::string flat_object(const Scene& scene, const Object& object) {
-    return textured(scene, object, texture_name(scene, object)) + " }";
+    return of_material(scene, object) + " }";
 }
 
 constexpr std::string_view glow =
@@ -112,33 +119,51 @@ std::string uv_texture(std::string_view mapping, std::string_view u, std::string
         mapping, u, v);
 }
 
-/// Whether functions of the place tell the coordinates; spheres, triangles and meshes have the textures
-/// above.
+template <class... Shape>
+bool is_one_of(const FileShape& shape) {
+    return (std::holds_alternative<Shape>(shape) || ...);
+}
+
+/// Whether functions of the place tell the coordinates; spheres, triangles and meshes that are no parts of
+/// others have the textures above.
 bool has_own_uv(const Object& object) {
-    return std::holds_alternative<Plane>(object.shape) || std::holds_alternative<Disc>(object.shape) ||
-           std::holds_alternative<Box>(object.shape) || std::holds_alternative<Cone>(object.shape) ||
-           std::holds_alternative<OpenCone>(object.shape) || std::holds_alternative<Torus>(object.shape);
+    return is_one_of<Plane, Disc, Box, Cone, OpenCone, Torus, PolygonObject, Implicit, Quadric>(object.shape);
+}
+
+/// Declares `Uv` and the number, a texture of an object or part that is none of several.
+void write_uv_texture(Writer& out, const Object& object, std::size_t number) {
+    if (out.scene.sampling.count > 1 && is_one_of<Plane, PolygonObject>(object.shape))
+        refuse(out.scene, object,
+               "coordinates beyond 0 and 1 as colours of several samples, each of which it limits");
+    const auto [mapped, u, v] = write_coordinates(out, object, number);
+    const auto shown = [](const std::string& x) { return fmt::format("min(max({}, 0), 1)", x); };
+    out.line("#declare Uv{} = {}\n", number,
+             mapped ? uv_texture("uv_mapping ", u, v) : uv_texture("", shown(u), shown(v)));
 }
 
 void write_uv_textures(Writer& out) {
+    const Scene& scene = out.scene;
     out.line("#declare SphereUv = {}\n",
              uv_texture("", "atan2(z, x) / (2 * pi) + (z < 0)", "0.5 + asin(min(max(y, -1), 1)) / pi"));
     out.line("#declare MeshUv = {}\n", uv_texture("uv_mapping ", "x", "y"));
     out.line("#declare NoUv = texture {{ pigment {{ rgb 0 }} finish {{ ambient 0 diffuse 0 }} }}\n");
-    for (std::size_t i = 0; i < out.scene.objects.size(); ++i)
-        if (const Object& object = out.scene.objects[i]; has_own_uv(object)) {
-            if (out.scene.sampling.count > 1 && std::holds_alternative<Plane>(object.shape))
-                refuse(out.scene, object,
-                       "coordinates beyond 0 and 1 as colours of several samples, each of which it limits");
-            const auto [mapped, u, v] = write_coordinates(out, object, i);
-            const auto shown = [](const std::string& x) { return fmt::format("min(max({}, 0), 1)", x); };
-            out.line("#declare Uv{} = {}\n", i, uv_texture("", shown(u), shown(v)));
-        }
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        if (has_own_uv(object)) write_uv_texture(out, object, i);
+        if (const auto* whole = std::get_if<CombinationObject>(&object.shape))
+            for (const std::uint32_t part : leaves_of(scene, *whole))
+                write_uv_texture(out, scene.parts[part], scene.objects.size() + part);
+    }
 }
 
 std::string uv_object(const Scene& scene, const Object& object) {
+    const auto name = [](std::size_t number) { return fmt::format("Uv{}", number); };
     if (has_own_uv(object))
-        return textured(scene, object, fmt::format("Uv{}", &object - scene.objects.data())) + " }";
+        return textured(scene, object, name(static_cast<std::size_t>(&object - scene.objects.data()))) + " }";
+    if (const auto* whole = std::get_if<CombinationObject>(&object.shape))
+        return open_statement_by_parts(
+                   scene, *whole, [&](std::uint32_t part) { return name(scene.objects.size() + part); }) +
+               " }";
     return with_uv(scene, object, transform_of(scene, object));
 }
 

@@ -7,6 +7,7 @@
 #include "common/povray/optics.hpp"
 #include "common/povray/picture_text.hpp"
 #include "common/povray/places.hpp"
+#include "common/povray/shapes.hpp"
 #include "common/povray/sky.hpp"
 
 #include <algorithm>
@@ -262,7 +263,12 @@ void write_all(Writer& out, bool with_bumps,
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         const Material& m = scene.materials[object.material];
-        if (is_own(scene, m)) {
+        if (is_by_parts(scene, object)) {
+            for (const std::uint32_t part : leaves_of(scene, std::get<CombinationObject>(object.shape)))
+                write(part_texture_name(part), m,
+                      write_coordinates(out, scene.parts[part], scene.objects.size() + part),
+                      with_bumps ? write_bumps(out, object, i) : "");
+        } else if (is_own(scene, m)) {
             const Coordinates coordinates =
                 has_picture(scene, m) ? write_coordinates(out, object, i) : Coordinates{};
             write(texture_name(scene, object), m, coordinates, with_bumps ? write_bumps(out, object, i) : "");
@@ -276,6 +282,13 @@ void write_all(Writer& out, bool with_bumps,
 }  // namespace
 
 bool is_own(const Scene& scene, const Material& m) { return has_picture(scene, m) || bumps_of(scene, m); }
+
+bool is_by_parts(const Scene& scene, const Object& object) {
+    return std::holds_alternative<CombinationObject>(object.shape) &&
+           has_picture(scene, scene.materials[object.material]);
+}
+
+std::string part_texture_name(std::uint32_t part) { return fmt::format("Part{}", part); }
 
 std::string texture_name(const Scene& scene, const Object& object) {
     if (is_own(scene, scene.materials[object.material]))

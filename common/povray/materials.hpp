@@ -16,6 +16,12 @@ bool is_own(const Scene& scene, const Material& m);
 /// The name of an object's texture: `Material0`, or `Object0` of its own.
 std::string texture_name(const Scene& scene, const Object& object);
 
+/// Whether each part of the object has a texture of its own: where a picture lies differs from part to part.
+bool is_by_parts(const Scene& scene, const Object& object);
+
+/// The name of the texture of such a part, an index into Scene::parts.
+std::string part_texture_name(std::uint32_t part);
+
 /// The value of a pattern, between 0 and 1, as the inside of a function; of Marble and Wood in terms of
 /// `Noise`.
 std::string pattern_function(const SolidPattern& pattern);

@@ -67,14 +67,15 @@ bool needs_inside(const Scene& scene, std::size_t mesh) {
     return std::ranges::any_of(scene.parts, shows) || std::ranges::any_of(scene.objects, is_around_eye);
 }
 
-/// Whether an object shows the mesh with a picture.
+/// Whether an object, or a part of one, shows the mesh with a picture.
 bool has_picture_on(const Scene& scene, std::size_t mesh) {
-    return std::ranges::any_of(scene.objects, [&](const Object& object) {
+    const auto shows = [&](const Object& object) {
         const auto* shown = std::get_if<MeshObject>(&object.shape);
         const std::int32_t texturing = material_of(scene, object).texturing;
         return shown && shown->mesh == mesh && texturing >= 0 &&
                scene.texturings[static_cast<std::size_t>(texturing)].picture;
-    });
+    };
+    return std::ranges::any_of(scene.objects, shows) || std::ranges::any_of(scene.parts, shows);
 }
 
 }  // namespace

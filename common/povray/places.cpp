@@ -70,6 +70,23 @@ std::optional<Formulas> formulas_of(const Scene& scene, const TriangleObject& tr
     return formulas;
 }
 
+/// The first corner is the origin; a picture has no place where it is straight, and is refused there.
+std::optional<Formulas> formulas_of(const Scene& scene, const PolygonObject& polygon, Real) {
+    const Vec3 first = scene.vertices[polygon.vertex.front()];
+    const Vec3 b = scene.vertices[polygon.vertex[1]] - first,
+               c = scene.vertices[polygon.vertex.back()] - first, n = glm::cross(b, c);
+    if (!(glm::length(n) > 0)) return Formulas{Mat4(1), "0", "0"};
+    return Formulas{frame_of(b, n, c, first), "x", "z"};
+}
+
+/// Longitude and latitude as seen from the origin.
+Formulas from_origin(Real unit) {
+    return {frame_of(Vec3(unit, 0, 0), Vec3(0, unit, 0), Vec3(0, 0, unit), Vec3(0)), std::string(turn),
+            "0.5 + atan2(y, sqrt(x * x + z * z)) / pi"};
+}
+std::optional<Formulas> formulas_of(const Scene&, const Implicit&, Real unit) { return from_origin(unit); }
+std::optional<Formulas> formulas_of(const Scene&, const Quadric&, Real unit) { return from_origin(unit); }
+
 /// Each face has the whole picture.
 std::optional<Formulas> formulas_of(const Scene&, const Box& box, Real) {
     const Vec3 half = (box.high - box.low) / Real(2);
@@ -163,7 +180,7 @@ void write_in_frame(Writer& out, const std::string& name, const std::string& for
 Coordinates write_coordinates(Writer& out, const Object& object, std::size_t id) {
     if (std::holds_alternative<MeshObject>(object.shape)) return {true, "x", "y"};
     const std::optional<Formulas> formulas = formulas_of(out, object);
-    if (!formulas) refuse(out.scene, object, "a picture on a shape without texture coordinates");
+    if (!formulas) refuse(out.scene, object, "a picture on a shape whose coordinates no function tells");
     write_own(out, to_frame(out.scene, object, *formulas), id);
     write_in_frame(out, "U", formulas->u, id);
     write_in_frame(out, "V", formulas->v, id);

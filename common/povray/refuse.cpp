@@ -105,6 +105,11 @@ void refuse_glass_shape(const Scene& scene, const Object& object) {
                "inside that stay outside");
 }
 
+bool has_normal_map(const Scene& scene, const Object& object) {
+    const std::int32_t texturing = material_of(scene, object).texturing;
+    return texturing >= 0 && scene.texturings[static_cast<std::size_t>(texturing)].normal_map.has_value();
+}
+
 void refuse_bumps(const Scene& scene, const Object& object) {
     if (is_transparent(material_of(scene, object)))
         refuse(scene, object, "transparent bumps, which it turns to the other side inside");
@@ -164,8 +169,11 @@ void refuse_other_optics(const Scene& scene) {
     for (const Object& object : scene.objects) {
         if (integrator.materials && material_of(scene, object).texturing >= 0)
             refuse_texturing(scene, object);
-        if ((integrator.lights || integrator.normals) && bumps_of(scene, material_of(scene, object)))
-            refuse_bumps(scene, object);
+        if (integrator.lights || integrator.normals) {
+            if (has_normal_map(scene, object))
+                refuse(scene, object, "a normal map: its bump maps know heights only");
+            if (bumps_of(scene, material_of(scene, object))) refuse_bumps(scene, object);
+        }
         if (integrator.lights && material_of(scene, object).finish >= 0)
             refuse_finish(scene, object,
                           scene.finishes[static_cast<std::size_t>(material_of(scene, object).finish)]);

@@ -496,11 +496,7 @@ std::string closed_statement(const Scene& scene, const Object& part) {
 }
 
 std::string open_statement(const Scene& scene, const CombinationObject& whole) {
-    std::string text = fmt::format("{} {{", word_of(whole.operation));
-    for (const std::uint32_t part : whole.parts)
-        text += " " + closed_statement(scene, part_of(scene, part)) +
-                transform_of(scene, part_of(scene, part)) + " }";
-    return text;
+    return open_statement_by_parts(scene, whole, {});
 }
 
 std::string with_uv(const Scene& scene, const CombinationObject& whole, const std::string& transform) {
@@ -619,6 +615,30 @@ Answer of_shape(SomeObject& object, const Ask& ask) {
 }
 
 }  // namespace
+
+std::string open_statement_by_parts(const Scene& scene, const CombinationObject& whole,
+                                    const std::function<std::string(std::uint32_t part)>& texture) {
+    std::string text = fmt::format("{} {{", word_of(whole.operation));
+    for (const std::uint32_t i : whole.parts) {
+        const Object& part = part_of(scene, i);
+        const auto* inner = std::get_if<CombinationObject>(&part.shape);
+        text += " " + (inner ? open_statement_by_parts(scene, *inner, texture)
+                             : closed_statement(scene, part) + transform_of(scene, part));
+        if (!inner && texture) text += " texture { " + texture(i) + " }";
+        text += " }";
+    }
+    return text;
+}
+
+std::vector<std::uint32_t> leaves_of(const Scene& scene, const CombinationObject& whole) {
+    std::vector<std::uint32_t> leaves;
+    for (const std::uint32_t i : whole.parts) {
+        const auto* inner = std::get_if<CombinationObject>(&part_of(scene, i).shape);
+        const std::vector<std::uint32_t> some = inner ? leaves_of(scene, *inner) : std::vector{i};
+        leaves.insert(leaves.end(), some.begin(), some.end());
+    }
+    return leaves;
+}
 
 // Any of them -----------------------------------------------------------------------------------------------
 

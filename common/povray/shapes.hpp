@@ -4,8 +4,11 @@
 
 #include "common/scene/scene.hpp"
 
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace rt::povray {
 
@@ -17,6 +20,14 @@ struct Extent {
 
 /// Its statement, still open for what else is said of the object: `sphere { <0, 0, 0>, 1`.
 std::string open_statement(const Scene& scene, const Object& object);
+
+/// The same of a combination, of whose parts each has a texture of its own: `texture(part)` is its name, of
+/// an index into Scene::parts.
+std::string open_statement_by_parts(const Scene& scene, const CombinationObject& whole,
+                                    const std::function<std::string(std::uint32_t part)>& texture);
+
+/// The parts of a combination, and of those inside it, that are none themselves; indices into Scene::parts.
+std::vector<std::uint32_t> leaves_of(const Scene& scene, const CombinationObject& whole);
 
 /// The whole statement with texture coordinates as colours; `transform` is a text, too.
 std::string with_uv(const Scene& scene, const Object& object, const std::string& transform);

@@ -161,6 +161,12 @@ std::int32_t join(Combination& tree, SetOperation operation, std::span<const std
     return -static_cast<std::int32_t>(tree.nodes.size());
 }
 
+PartHit part_hit(const Combination& tree, std::uint32_t element) {
+    const auto after = std::ranges::upper_bound(tree.parts, element, {}, &Combination::Part::first_element);
+    const Combination::Part& part = *std::prev(after);
+    return {part, element - part.first_element};
+}
+
 Real crossings_of(const Instance& instance) { return elements_of(instance); }
 
 Real crossings_of(const Moving& moving) {

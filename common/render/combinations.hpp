@@ -21,6 +21,13 @@ std::int32_t join(Combination& tree, SetOperation operation, std::span<const std
 /// lie in one place must not depend on what each has rounded.
 void find_common_planes(Combination& tree);
 
+/// The part of a combination that a hit is of, and which element of the part.
+struct PartHit {
+    const Combination::Part& part;
+    std::uint32_t element = 0;
+};
+PartHit part_hit(const Combination& tree, std::uint32_t element);
+
 /// How often a line can cross the surface of a shape, at most.
 template <class Shape>
 Real crossings_of(const Shape&) {

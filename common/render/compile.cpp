@@ -65,11 +65,29 @@ void compile_materials(const Scene& scene, World& world) {
     world.patterns.resize(world.needs.patterns ? world.materials.size() : 0);
 }
 
+/// How a picture of the scene is looked up. Each picture has one pyramid.
+struct Lookups {
+    const Scene& scene;
+    World& world;
+    std::map<const Image*, std::shared_ptr<const MipMap>> pyramids{};
+
+    PictureLookup of(const PictureTexture& from) {
+        world.needs.uvs = true;
+        PictureLookup lookup{scene.pictures[from.picture].image, nullptr, from.wrap, from.filter};
+        if (lookup.filter < TextureFilter::Trilinear) return lookup;
+        world.needs.footprints = true;
+        std::shared_ptr<const MipMap>& pyramid = pyramids[lookup.image.get()];
+        if (!pyramid) pyramid = std::make_shared<const MipMap>(mip_map(*lookup.image));
+        lookup.pyramid = pyramid;
+        return lookup;
+    }
+};
+
 /// The textures and bumps of the materials, of which those of odd cubes are copies of others: they are found
 /// by the material of the primitive.
 void compile_textures(const Scene& scene, World& world) {
     const IntegratorRow& integrator = row_of(scene.integrator);
-    std::map<const Image*, std::shared_ptr<const MipMap>> pyramids;  // each picture's once
+    Lookups lookups{scene, world};
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         const std::int32_t number = scene.materials[i].texturing;
         if (number < 0) continue;
@@ -79,22 +97,18 @@ void compile_textures(const Scene& scene, World& world) {
             world.textures.resize(world.materials.size());
             MaterialTexture& texture = world.textures[i];
             texture.pattern = from.pattern, texture.colors = from.colors;
-            if (from.picture) {
-                world.needs.uvs = true;
-                texture.picture = scene.pictures[from.picture->picture].image;
-                texture.wrap = from.picture->wrap, texture.filter = from.picture->filter;
-                if (texture.filter >= TextureFilter::Trilinear) {
-                    world.needs.footprints = true;
-                    std::shared_ptr<const MipMap>& pyramid = pyramids[texture.picture.get()];
-                    if (!pyramid) pyramid = std::make_shared<const MipMap>(mip_map(*texture.picture));
-                    texture.pyramid = pyramid;
-                }
-            }
+            if (from.picture) texture.picture = lookups.of(*from.picture);
         }
-        if ((integrator.lights || integrator.normals) && from.bumps.height != 0) {
+        if (!integrator.lights && !integrator.normals) continue;
+        if (from.bumps.height != 0) {
             world.needs.bumps = true;
             world.bumps.resize(world.materials.size());
             world.bumps[i] = from.bumps;
+        }
+        if (from.normal_map) {
+            world.needs.bumps = world.needs.normal_maps = true;
+            world.normal_maps.resize(world.materials.size());
+            world.normal_maps[i] = lookups.of(*from.normal_map);
         }
     }
 }
@@ -210,8 +224,8 @@ Real greatest_factor(const World& world, std::uint32_t material) {
     const MaterialTexture& texture = world.textures[material];
     if (!texture.colors.specular && !texture.colors.transmission) return 1;
     Real greatest = 1;
-    if (texture.picture)
-        for (const Vec3& pixel : texture.picture->pixels) greatest = std::max(greatest, size_of(pixel));
+    if (texture.picture.image)
+        for (const Vec3& pixel : texture.picture.image->pixels) greatest = std::max(greatest, size_of(pixel));
     if (texture.pattern)
         greatest *= std::max({Real(1), size_of(texture.pattern->first), size_of(texture.pattern->second)});
     return greatest;

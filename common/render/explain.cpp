@@ -32,7 +32,8 @@ std::size_t bytes_of(const Group<Shape>& group) {
 /// Each picture once.
 std::set<const Image*> pictures_of(const World& world) {
     std::set<const Image*> pictures;
-    for (const MaterialTexture& texture : world.textures) pictures.insert(texture.picture.get());
+    for (const MaterialTexture& texture : world.textures) pictures.insert(texture.picture.image.get());
+    for (const PictureLookup& map : world.normal_maps) pictures.insert(map.image.get());
     if (const auto* sky = std::get_if<ImageSky>(&world.sky)) pictures.insert(sky->image.get());
     pictures.erase(nullptr);
     return pictures;
@@ -40,8 +41,8 @@ std::set<const Image*> pictures_of(const World& world) {
 std::size_t bytes_of(const World& world) {
     std::size_t sum =
         bytes_of(world.primitives, world.materials, world.patterns, world.textures, world.bumps,
-                 world.finishes, world.point_lights, world.directional_lights, world.faces, world.sheets,
-                 world.area_lights.lights, world.area_lights.chances, world.area_lights.of);
+                 world.normal_maps, world.finishes, world.point_lights, world.directional_lights, world.faces,
+                 world.sheets, world.area_lights.lights, world.area_lights.chances, world.area_lights.of);
     for (const AnyGroup& any : world.groups)
         sum += std::visit([](const auto& group) { return bytes_of(group); }, any);
     for (const auto& mesh : world.meshes) sum += bytes_of(mesh->triangles);
@@ -144,14 +145,16 @@ void explain_features(const Scene& scene, const World& world, Explanation& expla
     sort.feature(needs.normals, "interpolated normals", "some triangles are smooth",
                  "no smooth triangle whose normal the picture shows");
     sort.feature(needs.uvs, "texture coordinates",
-                 row_of(scene.integrator).uvs ? "the integrator shows them" : "some material has a picture",
+                 row_of(scene.integrator).uvs ? "the integrator shows them"
+                                              : "some material has a picture or a normal map",
                  "nothing in the picture uses them");
     sort.feature(needs.patterns, "checkers", "some material has one", "no material has one");
     sort.feature(needs.textures, "textures", "some material has a picture or a pattern of two colours",
                  "no material varies from place to place");
     sort.feature(needs.footprints, "ray differentials", "some texture is averaged over what a pixel sees",
                  "no texture asks how much of it a pixel sees");
-    sort.feature(needs.bumps, "bumps", "some material has them", "no material has them");
+    sort.feature(!world.bumps.empty(), "bumps", "some material has them", "no material has them");
+    sort.feature(needs.normal_maps, "normal maps", "some material has one", "no material has one");
     sort.feature(needs.sky, "the sky's colours", "they depend on the direction",
                  "the background is one colour");
     sort.feature(needs.skylight, "light from the sky", "the scene says 'skylight'",

@@ -3,8 +3,8 @@
 
 #include "chapters/07_recursion/radiance.hpp"
 #include "chapters/11_textures/differential.hpp"
-#include "common/render/groups.hpp"
 #include "common/render/integrators.hpp"
+#include "common/render/texture_places.hpp"
 #include "common/render/textures.hpp"
 
 #include <algorithm>
@@ -13,12 +13,6 @@
 
 namespace rt {
 namespace {
-
-/// What a surface is to a bundle of rays: where on a texture, and how curved.
-struct Patch {
-    TexturePoint texture;  ///< in world space
-    Real curvature = 0;    ///< as for normal_change, of the normal that points outwards
-};
 
 // The mean curvature of shapes, which other than spheres and flat things have only an estimate.
 
@@ -36,39 +30,11 @@ Real curvature_of(const Placed<Shape>& placed) {
     return 3 * curvature_of(placed.shape) / (length(Vec3(m[0])) + length(Vec3(m[1])) + length(Vec3(m[2])));
 }
 
-TexturePoint placed(const Transform& transform, TexturePoint local) {
-    local.du = transform_vector(transform.to_world, local.du);
-    local.dv = transform_vector(transform.to_world, local.dv);
-    return local;
-}
-
-template <class Shape>
-TexturePoint texture_point_of(const Group<Shape>& group, std::uint32_t index, const Surface& surface,
-                              const Hit& hit) {
-    const Shape& shape = group.shapes[index];
-    if constexpr (std::is_same_v<Shape, Triangle>) {
-        return group.uvs.empty() ? TexturePoint{} : texture_point(shape, group.uvs[index], hit.uv);
-    } else if constexpr (std::is_same_v<Shape, Instance>) {
-        const Group<Triangle>& mesh = shape.shape.mesh->triangles;
-        return placed(shape.transform, texture_point_of(mesh, hit.element, surface, hit));
-    } else if constexpr (!has_uv<Shape>) {
-        return {};
-    } else if constexpr (requires { shape.transform; }) {
-        const Vec3 local = transform_point(shape.transform.to_local, surface.point);
-        return placed(shape.transform, texture_point(shape.shape, local, hit.element));
-    } else {
-        return texture_point(shape, surface.point, hit.element);
-    }
-}
-
-Patch patch_at(const World& world, const Hit& hit, const Surface& surface) {
+/// That of what a ray has met.
+Real curvature_at(const World& world, const Hit& hit) {
     const Primitive& primitive = world.primitives[hit.primitive];
-    return std::visit(
-        [&](const auto& group) {
-            return Patch{texture_point_of(group, primitive.index, surface, hit),
-                         curvature_of(group.shapes[primitive.index])};
-        },
-        world.groups[primitive.group]);
+    return std::visit([&](const auto& group) { return curvature_of(group.shapes[primitive.index]); },
+                      world.groups[primitive.group]);
 }
 
 /// How a ray of the camera changes from sample to sample: of n samples a pixel, each stands for an nth of it.
@@ -91,19 +57,19 @@ RayDifferential camera_ray_differential(const World& world, const Ray& ray) {
 struct Arrival {
     Surface surface;
     RayDifferential change;  ///< on the surface
-    Real curvature = 0;      ///< as of a Patch
+    Real curvature = 0;      ///< as for normal_change, of the normal that points outwards
     Material material;       ///< its texture averaged over what is seen of it
 };
 
 Arrival arrival(const World& world, const Ray& ray, const RayDifferential& change, const Hit& hit) {
-    Arrival at{surface_at(world, ray, hit), {}, 0, {}};
-    const Patch patch = patch_at(world, hit, at.surface);
+    Arrival at{surface_without_bumps(world, ray, hit), {}, 0, {}};
+    const TexturePoint texture = texture_point_at(world, ray, hit, at.surface);
     at.change = transferred(change, ray, hit.t, at.surface.normal);
-    at.curvature = patch.curvature;
-    const Footprint seen =
-        footprint(patch.texture.du, patch.texture.dv, at.change.origin_dx, at.change.origin_dy);
+    at.curvature = curvature_at(world, hit);
+    const Footprint seen = footprint(texture.du, texture.dv, at.change.origin_dx, at.change.origin_dy);
+    if (world.needs.bumps) apply_bumps(world, ray, hit, &seen, at.surface);
     at.material = world.materials[material_index(world, hit, at.surface)];
-    apply_texture(world, hit, at.surface, &seen, at.material);
+    if (world.needs.textures) apply_texture(world, hit, at.surface, &seen, at.material);
     return at;
 }
 

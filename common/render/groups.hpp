@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/contracts.hpp"  // all of them; made by the build
+#include "common/render/combinations.hpp"
 #include "common/render/moving.hpp"
 #include "common/world/query.hpp"
 
@@ -98,6 +99,8 @@ template <>
 inline constexpr bool has_uv<Triangle> = true;  // those of its corners
 template <>
 inline constexpr bool has_uv<MeshUse> = true;
+template <>
+inline constexpr bool has_uv<Combination> = true;  // those of its parts
 
 template <class Shape>
 Vec2 uv_at(const Shape& shape, const Vec3& point, std::uint32_t element) {
@@ -111,14 +114,26 @@ Vec2 uv_at(const Placed<Shape>& placed, const Vec3& point, std::uint32_t element
     return uv_at(placed.shape, transform_point(placed.transform.to_local, point), element);
 }
 
+// Sets the surface's uv at an element of a shape that has any.
+template <class Shape>
+void set_uv(const Shape& shape, std::uint32_t element, Surface& surface) {
+    surface.uv = uv_at(shape, surface.point, element);
+}
+/// The weights of a mesh's triangle are the hit's, and chapter 4 has looked at them.
+inline void set_uv(const Instance&, std::uint32_t, Surface&) {}
+inline void set_uv(const Combination& tree, std::uint32_t element, Surface& surface) {
+    const PartHit hit = part_hit(tree, element);
+    std::visit([&](const auto& solid) { set_uv(solid, hit.element, surface); }, hit.part.solid);
+}
+
 /// The surface at a hit with the group's shape `index`, with what the group keeps beside the shapes.
 template <class Shape>
 Surface surface_in(const World& world, const Group<Shape>& group, std::uint32_t index, const Ray& ray,
                    const Hit& hit) {
     const Shape& shape = group.shapes[index];
     Surface surface = surface_at(shape, ray, hit);
-    if constexpr (has_uv<Shape> && !std::is_same_v<Shape, Instance>)
-        if (world.needs.uvs) surface.uv = uv_at(shape, surface.point, hit.element);
+    if constexpr (has_uv<Shape>)
+        if (world.needs.uvs) set_uv(shape, hit.element, surface);
     return surface;
 }
 inline Surface surface_in(const World&, const Group<Triangle>& group, std::uint32_t index, const Ray& ray,

@@ -16,9 +16,9 @@ Surface surface_at(const Moving& moving, const Ray& ray, const Hit& hit, bool uv
     Surface surface = std::visit(
         [&]<class Shape>(const Shape& shape) {
             Surface own = surface_at(shape, seen, hit);
-            if constexpr (has_uv<Shape> && !std::is_same_v<Shape, Instance> &&
-                          !std::is_same_v<Shape, Triangle>)
-                if (uvs) own.uv = uv_at(shape, own.point, hit.element);
+            // A triangle that shows coordinates moves as a mesh.
+            if constexpr (has_uv<Shape> && !std::is_same_v<Shape, Triangle>)
+                if (uvs) set_uv(shape, hit.element, own);
             return own;
         },
         moving.shape);

@@ -132,9 +132,9 @@ struct PrimitiveBuilder {
     void append(Shape shape) {
         static_assert(is_in<Shape>(Shapes()), "this shape is missing in Shapes (common/world/shapes.hpp)");
         if constexpr (!has_uv<Shape>)
-            if (!world.textures.empty() && world.textures[object->material].picture)
+            if (shows_picture())
                 limits().fail("this " + std::string(words_of(object->shape).name) +
-                              " has no texture coordinates for its 'texture'");
+                              " has no texture coordinates for its picture");
         if (tree) {
             // Shapes without an inside have been refused where the file was read.
             if constexpr (is_solid<Shape>(std::type_identity<Solid>())) {
@@ -145,6 +145,12 @@ struct PrimitiveBuilder {
         }
         if (moves()) return append_moving(std::move(shape));
         append(std::get<Group<Shape>>(groups), std::move(shape));
+    }
+
+    /// Whether the object's material has something at texture coordinates that the world shows.
+    bool shows_picture() const {
+        return (!world.textures.empty() && world.textures[object->material].picture.image) ||
+               (!world.normal_maps.empty() && world.normal_maps[object->material].image);
     }
 
     bool moves() const { return object->motion != Vec3(0); }
@@ -227,7 +233,7 @@ struct PrimitiveBuilder {
         const Triangle baked{point(t.a), point(t.b), point(t.c)};
         limits().check_corners(std::array{baked.a, baked.b, baked.c});
         const bool is_smooth = world.needs.normals && face.normals;
-        if (is_smooth && moves()) return add_moving(*face.normals, face.triangle);
+        if (moves() && (is_smooth || world.needs.uvs)) return add_moving(face);
         if (is_smooth) {
             // Not made unit vectors again: the map is linear, so interpolating its images is the same as
             // mapping what was interpolated, as instances do.
@@ -240,12 +246,16 @@ struct PrimitiveBuilder {
         append(group, baked);
     }
 
-    /// A triangle that moves is a mesh of its own if it is smooth.
-    void add_moving(const TriangleNormals& normals, const Triangle& triangle) {
+    /// A triangle that moves is a mesh of its own if its corners know more than their places.
+    void add_moving(const Face& face) {
+        const std::int32_t normal = face.normals ? 0 : -1, uv = face.uvs ? 0 : -1;
         Mesh mesh;
-        mesh.positions = {triangle.a, triangle.b, triangle.c};
-        mesh.normals = {normals.a, normals.b, normals.c};
-        mesh.triangles = {{{{0, 0, -1}, {1, 1, -1}, {2, 2, -1}}}};
+        mesh.positions = {face.triangle.a, face.triangle.b, face.triangle.c};
+        if (face.normals) mesh.normals = {face.normals->a, face.normals->b, face.normals->c};
+        if (face.uvs) mesh.uvs = {face.uvs->a, face.uvs->b, face.uvs->c};
+        auto& corners = mesh.triangles.emplace_back();
+        for (std::int32_t i = 0; i < 3; ++i)
+            corners[static_cast<std::size_t>(i)] = {i, normal < 0 ? -1 : i, uv < 0 ? -1 : i};
         world.meshes.push_back(std::make_shared<SharedMesh>(share(mesh, world.needs)));
         append_instance(world.meshes.back());
     }
@@ -273,6 +283,10 @@ struct PrimitiveBuilder {
         for (const std::uint32_t index : polygon.vertex)
             shape.vertices.push_back(point(scene.vertices[index]));
         limits().check_corners(shape.vertices);
+        if (shows_picture() && texture_point(shape, shape.vertices.front(), 0).du == Vec3(0))
+            limits().fail(
+                "the corner of this polygon between its last, first and second vertex, which tells "
+                "where its picture lies, is straight: begin with another vertex");
         append(std::move(shape));
     }
 

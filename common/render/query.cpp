@@ -70,6 +70,14 @@ std::optional<Hit> next_at_once(const World& world, const Ray& ray, const Hit& l
     return std::nullopt;
 }
 
+/// Without bumps. Part of its callers, for each of which a call would be a cost.
+[[gnu::always_inline]] inline Surface smooth_surface(const World& world, const Ray& ray, const Hit& hit) {
+    const Primitive& primitive = world.primitives[hit.primitive];
+    return visit_group(world.groups[primitive.group], [&](const auto& group) {
+        return surface_in(world, group, primitive.index, ray, hit);
+    });
+}
+
 /// The ray through a lens, or at a time.
 [[gnu::noinline]] Ray blurred_camera_ray(const World& world, const CameraSample& sample) {
     const Real x = sample.place.x, y = sample.place.y;
@@ -131,12 +139,13 @@ std::vector<Hit> all_hits(const SharedMesh& mesh, const Ray& local) {
     return hits;
 }
 
+Surface surface_without_bumps(const World& world, const Ray& ray, const Hit& hit) {
+    return smooth_surface(world, ray, hit);
+}
+
 Surface surface_at(const World& world, const Ray& ray, const Hit& hit) {
-    const Primitive& primitive = world.primitives[hit.primitive];
-    Surface surface = visit_group(world.groups[primitive.group], [&](const auto& group) {
-        return surface_in(world, group, primitive.index, ray, hit);
-    });
-    if (world.needs.bumps) apply_bumps(world, ray, hit, surface);
+    Surface surface = smooth_surface(world, ray, hit);
+    if (world.needs.bumps) apply_bumps(world, ray, hit, nullptr, surface);
     return surface;
 }
 

@@ -6,6 +6,7 @@
 #include "chapters/11_textures/mip_map.hpp"
 #include "chapters/11_textures/noise.hpp"
 #include "chapters/11_textures/pattern.hpp"
+#include "common/render/texture_places.hpp"
 
 #include <algorithm>
 
@@ -21,18 +22,18 @@ std::uint32_t material_of(const World& world, const Hit& hit) {
     return world.primitives[hit.primitive].material;
 }
 
-Vec3 picture_color(const MaterialTexture& texture, const Vec2& uv, const Footprint* seen) {
-    if (texture.filter == TextureFilter::Nearest) return nearest(*texture.picture, uv, texture.wrap);
-    if (!texture.pyramid || !seen) return bilinear(*texture.picture, uv, texture.wrap);
-    if (texture.filter == TextureFilter::Anisotropic)
-        return anisotropic(*texture.pyramid, uv, *seen, texture.wrap, most_probes);
-    return trilinear(*texture.pyramid, uv, std::max(length(seen->dx), length(seen->dy)), texture.wrap);
+Vec3 picture_color(const PictureLookup& picture, const Vec2& uv, const Footprint* seen) {
+    if (picture.filter == TextureFilter::Nearest) return nearest(*picture.image, uv, picture.wrap);
+    if (!picture.pyramid || !seen) return bilinear(*picture.image, uv, picture.wrap);
+    if (picture.filter == TextureFilter::Anisotropic)
+        return anisotropic(*picture.pyramid, uv, *seen, picture.wrap, most_probes);
+    return trilinear(*picture.pyramid, uv, std::max(length(seen->dx), length(seen->dy)), picture.wrap);
 }
 
 /// The factor on the colours of a material with this texture.
 Vec3 factor_at(const MaterialTexture& texture, const Surface& surface, const Footprint* seen) {
     Vec3 factor(1);
-    if (texture.picture) factor = picture_color(texture, surface.uv, seen);
+    if (texture.picture.image) factor = picture_color(texture.picture, surface.uv, seen);
     // As with a checker, what lies exactly between two colours has the upper one, whatever its rounding.
     if (texture.pattern) factor *= pattern_color(*texture.pattern, surface.point + surface.error);
     return factor;
@@ -46,6 +47,7 @@ void multiply(Material& m, const ColorsOf& colors, const Vec3& factor) {
     if (colors.transmission) m.transmission *= factor;
     if (colors.absorption) m.absorption *= factor;
     if (colors.shininess) m.shininess *= factor.x;
+    if (colors.finish) m.finish_factor *= static_cast<float>(factor.x);
 }
 
 }  // namespace
@@ -53,17 +55,26 @@ void multiply(Material& m, const ColorsOf& colors, const Vec3& factor) {
 void apply_texture(const World& world, const Hit& hit, const Surface& surface, const Footprint* seen,
                    Material& material) {
     const MaterialTexture& texture = world.textures[material_of(world, hit)];
-    if (texture.picture || texture.pattern)
+    if (texture.picture.image || texture.pattern)
         multiply(material, texture.colors, factor_at(texture, surface, seen));
 }
 
-void apply_bumps(const World& world, const Ray& ray, const Hit& hit, Surface& surface) {
-    const Bumps& bumps = world.bumps[material_of(world, hit)];
-    if (bumps.height == 0) return;
+void apply_bumps(const World& world, const Ray& ray, const Hit& hit, const Footprint* seen,
+                 Surface& surface) {
+    const std::uint32_t material = material_of(world, hit);
+    const Bumps bumps = world.bumps.empty() ? Bumps() : world.bumps[material];
+    const PictureLookup* const map = world.normal_maps.empty() ? nullptr : &world.normal_maps[material];
+    const bool is_mapped = map && map->image;
+    if (bumps.height == 0 && !is_mapped) return;
+    Vec3 normal = surface.shading_normal;
+    if (is_mapped) {
+        const TexturePoint place = texture_point_at(world, ray, hit, surface);
+        normal = from_normal_map(picture_color(*map, surface.uv, seen), place.du, place.dv, normal);
+    }
     // The gradient of height · noise(p/size).
-    const Vec3 slope = bumps.height / bumps.size * noise_gradient(surface.point / bumps.size);
-    const Vec3 to_viewer = normalize(-ray.direction);
-    surface.shading_normal = kept_visible(bumped(surface.shading_normal, slope), surface.normal, to_viewer);
+    if (bumps.height != 0)
+        normal = bumped(normal, bumps.height / bumps.size * noise_gradient(surface.point / bumps.size));
+    surface.shading_normal = kept_visible(normal, surface.normal, normalize(-ray.direction));
 }
 
 }  // namespace rt

@@ -11,7 +11,11 @@ namespace rt {
 void apply_texture(const World& world, const Hit& hit, const Surface& surface, const Footprint* seen,
                    Material& material);
 
-/// Turns the shading normal as the bumps of the hit's material say, in a world whose needs say `bumps`.
-void apply_bumps(const World& world, const Ray& ray, const Hit& hit, Surface& surface);
+/// Turns the shading normal as the normal map and the bumps of the hit's material say, in a world whose needs
+/// say `bumps`; `seen` as above.
+void apply_bumps(const World& world, const Ray& ray, const Hit& hit, const Footprint* seen, Surface& surface);
+
+/// As `surface_at`, but without these.
+Surface surface_without_bumps(const World& world, const Ray& ray, const Hit& hit);
 
 }  // namespace rt

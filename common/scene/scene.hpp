@@ -47,13 +47,13 @@ struct Checker {
 };
 
 /// Which fraction of light a transparent surface mirrors.
-enum class Fresnel { None, Exact, Schlick };
+enum class Fresnel : std::uint8_t { None, Exact, Schlick };
 
 /// Which formula shapes a highlight.
-enum class Highlight { Blinn, Phong };
+enum class Highlight : std::uint8_t { Blinn, Phong };
 
 /// How diffuse light is spread: evenly, or as a lobe of chapter 11 does.
-enum class FinishKind { Plain, Matte, Velvet, Metal, Coated };
+enum class FinishKind { Plain, Matte, Velvet, Metal, Coated, Glass };
 /// The formula by which the integrator `direct` reflects light.
 enum class Brdf { Phong, Ggx };
 /// What few materials ask for: how light is spread, where it is neither evenly nor as in a mirror.
@@ -75,13 +75,15 @@ struct Material {
     Vec3 emission{0};
     Real shininess = 0;
     Highlight highlight = Highlight::Blinn;
+    Fresnel fresnel = Fresnel::None;
     std::int32_t texturing = -1;  ///< index into Scene::texturings; −1 is the same everywhere
     Checker checker;              ///< all ones where no `checker` was said
     Vec3 transmission{0};         ///< weight of the refracted ray; zero is opaque
     Real ior = 1;                 ///< index of refraction inside
-    Fresnel fresnel = Fresnel::None;
-    std::int32_t finish = -1;  ///< index into Scene::finishes; −1 is plain
-    Vec3 absorption{0};        ///< Beer–Lambert coefficient inside, per world unit
+    std::int32_t finish = -1;     ///< index into Scene::finishes; −1 is plain
+    float finish_factor = 1;  ///< on its roughness, where a texture changes it; a Real would make lists of
+                              ///< materials slower for all
+    Vec3 absorption{0};       ///< Beer–Lambert coefficient inside, per world unit
     friend bool operator==(const Material&, const Material&) = default;
 };
 

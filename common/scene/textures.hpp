@@ -19,7 +19,8 @@ enum class Wrap { Repeat, Mirror, Clamp };
 /// mean over a square as large as what one pixel of ours sees of it; or over its true, longer shape.
 enum class TextureFilter { Nearest, Bilinear, Trilinear, Anisotropic };
 
-/// A picture that a scene file names.
+/// A picture that a scene file names. One that is named both as a texture and as a normal map stands there
+/// twice, because its 8 bits mean light by the sRGB curve in the one, and numbers as they are in the other.
 struct PictureFile {
     std::string file;  ///< as the scene says it
     std::shared_ptr<const Image> image;
@@ -53,6 +54,7 @@ struct ColorsOf {
     bool ambient = true, diffuse = true, emission = true;
     bool specular = false, transmission = false, absorption = false;
     bool shininess = false;  ///< by the first channel
+    bool finish = false;     ///< likewise its roughness
     friend bool operator==(const ColorsOf&, const ColorsOf&) = default;
 };
 
@@ -62,6 +64,7 @@ struct Texturing {
     std::optional<SolidPattern> pattern;
     ColorsOf colors;
     Bumps bumps;
+    std::optional<PictureTexture> normal_map;  ///< its picture's numbers are directions, not light
     friend bool operator==(const Texturing&, const Texturing&) = default;
 };
 

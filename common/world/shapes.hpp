@@ -42,8 +42,9 @@ struct MeshUse {
 using Instance = Placed<MeshUse>;
 
 /// A shape that has an inside, where it stands: what combinations are made of.
-using Solid = std::variant<Plane, Sphere, Ellipsoid, Instance, Box, Placed<Box>, Cone, Placed<Cone>, Torus,
-                           Placed<Torus>, Implicit, Placed<Implicit>, Quadric, Placed<Quadric>>;
+using Solid =
+    std::variant<Plane, Placed<Plane>, Sphere, Ellipsoid, Instance, Box, Placed<Box>, Cone, Placed<Cone>,
+                 Torus, Placed<Torus>, Implicit, Placed<Implicit>, Quadric, Placed<Quadric>>;
 
 /// Solids as one (constructive solid geometry): a tree, whose leaves are the parts. Its branches name part k
 /// as k and node k as ~k, which is negative. The whole is the last node or, without any, the only part.

@@ -110,12 +110,17 @@ struct Pattern {
     std::uint32_t odd = 0;  ///< index of the material in the odd cubes
 };
 
-/// What multiplies a material's colours at each place.
-struct MaterialTexture {
-    std::shared_ptr<const Image> picture;   ///< at the texture coordinates; null is none
+/// A picture at the texture coordinates, and how it is looked up.
+struct PictureLookup {
+    std::shared_ptr<const Image> image;     ///< null is none
     std::shared_ptr<const MipMap> pyramid;  ///< of that picture, where the filter needs it
     Wrap wrap = Wrap::Repeat;
     TextureFilter filter = TextureFilter::Bilinear;
+};
+
+/// What multiplies a material's colours at each place.
+struct MaterialTexture {
+    PictureLookup picture;
     std::optional<SolidPattern> pattern;  ///< at the point
     ColorsOf colors;                      ///< which of them
 };
@@ -128,7 +133,8 @@ struct Needs {
     bool patterns = false;         ///< some material has a checker
     bool textures = false;         ///< some material has a picture or a pattern of two colours
     bool footprints = false;       ///< some texture is averaged over what a pixel sees
-    bool bumps = false;            ///< some material has bumps
+    bool bumps = false;            ///< some material has bumps or a normal map
+    bool normal_maps = false;      ///< some material has one of these
     bool sky = false;              ///< the background depends on the direction
     bool finishes = false;         ///< some material spreads diffuse light in another way than evenly
     bool other_light = false;      ///< finishes or skylight: light is not just the plain sum over the lamps
@@ -182,15 +188,16 @@ struct World {
     int max_depth = 5;
     Real min_contribution = 0;
     Needs needs;
-    std::vector<AnyGroup> groups;           ///< only kinds that occur, none empty
-    std::vector<Primitive> primitives;      ///< in the order of the file
-    std::vector<Material> materials;        ///< patterns are resolved: a checker is two materials
-    std::vector<Pattern> patterns;          ///< one a material; empty where no material has a pattern
-    std::vector<MaterialTexture> textures;  ///< likewise
-    std::vector<Bumps> bumps;               ///< likewise
-    std::vector<Finish> finishes;           ///< those that materials name; empty if no light shows them
-    CameraBlur blur;                        ///< if needs.blur
-    AreaLights area_lights;                 ///< empty if no light has an extent, or nobody asks
+    std::vector<AnyGroup> groups;            ///< only kinds that occur, none empty
+    std::vector<Primitive> primitives;       ///< in the order of the file
+    std::vector<Material> materials;         ///< patterns are resolved: a checker is two materials
+    std::vector<Pattern> patterns;           ///< one a material; empty where no material has a pattern
+    std::vector<MaterialTexture> textures;   ///< likewise
+    std::vector<Bumps> bumps;                ///< likewise
+    std::vector<PictureLookup> normal_maps;  ///< likewise
+    std::vector<Finish> finishes;            ///< those that materials name; empty if no light shows them
+    CameraBlur blur;                         ///< if needs.blur
+    AreaLights area_lights;                  ///< empty if no light has an extent, or nobody asks
     std::vector<PointLight> point_lights;
     std::vector<DirectionalLight> directional_lights;  ///< directions are unit vectors
     std::vector<std::shared_ptr<SharedMesh>> meshes;

@@ -3,6 +3,8 @@
 
 #include "chapters/02_spheres/sphere.hpp"
 #include "chapters/03_triangles/triangle.hpp"
+#include "chapters/10_surfaces/chord.hpp"
+#include "common/scene/evaluate.hpp"
 
 #include <cmath>
 
@@ -186,6 +188,53 @@ TexturePoint texture_point(const Torus& torus, const Vec3& p, std::uint32_t) {
     const Real distance = std::max(torus.ring + torus.tube * std::cos(psi), Real(0));
     return {uv, -2 * pi * distance * ahead,
             2 * pi * torus.tube * (std::cos(psi) * n - std::sin(psi) * radial)};
+}
+
+TexturePoint texture_point(const Polygon& polygon, const Vec3& p, std::uint32_t) {
+    const Vec3 first = polygon.vertices.front(), f = p - first;
+    const Vec3 du = polygon.vertices[1] - first, dv = polygon.vertices.back() - first, n = cross(du, dv);
+    const Real squared = dot(n, n);
+    if (!(squared > least_corner * least_corner * dot(du, du) * dot(dv, dv))) return {};
+    return {{dot(cross(f, dv), n) / squared, dot(cross(du, f), n) / squared}, du, dv};
+}
+
+namespace {
+
+/// On a surface with this normal, of any length, seen from the origin.
+TexturePoint seen_from_origin(const Vec3& p, const Vec3& normal) {
+    TexturePoint texture = texture_point(Sphere{Vec3(0), length(p)}, p, 0);
+    const Vec3 outwards = unit(p), n = unit(normal);
+    const Real rise = dot(outwards, n);
+    if (!(std::abs(rise) > least_corner)) return {texture.uv, Vec3(0), Vec3(0)};  // also if it is NaN
+    texture.du -= dot(texture.du, n) / rise * outwards;
+    texture.dv -= dot(texture.dv, n) / rise * outwards;
+    return texture;
+}
+
+Vec2 uv_from_origin(const Vec3& p) { return texture_uv(Sphere{Vec3(0), 1}, p, 0); }
+
+Vec3 normal_of_face(std::uint32_t face) {
+    Vec3 normal(0);
+    normal[static_cast<int>(face / 2)] = 1;
+    return normal;
+}
+
+}  // namespace
+
+Vec2 texture_uv(const Implicit&, const Vec3& p, std::uint32_t) { return uv_from_origin(p); }
+
+TexturePoint texture_point(const Implicit& implicit, const Vec3& p, std::uint32_t element) {
+    return seen_from_origin(p,
+                            element < surface_face ? normal_of_face(element) : gradient_at(*implicit.f, p));
+}
+
+Vec2 texture_uv(const Quadric&, const Vec3& p, std::uint32_t) { return uv_from_origin(p); }
+
+TexturePoint texture_point(const Quadric& q, const Vec3& p, std::uint32_t element) {
+    if (element < surface_face) return seen_from_origin(p, normal_of_face(element));
+    const Real d = q.mixed.x, e = q.mixed.y, f = q.mixed.z;
+    const Vec3 mixed(d * p.y + e * p.z, d * p.x + f * p.z, e * p.x + f * p.y);
+    return seen_from_origin(p, Real(2) * q.squares * p + mixed + q.linear);
 }
 
 TexturePoint texture_point(const Triangle& triangle, const TriangleUvs& uvs, const Vec2& weights) {

@@ -183,3 +183,37 @@ TEST_CASE("corners of very different depths", "[11.1][stability]") {
         CHECK(near(uv, Vec2(shares.y, shares.z) / sum, gamma(16)));
     }
 }
+
+TEST_CASE("quadrics through the origin, at poles and without a normal", "[11.1][stability]") {
+    Random random(11121);
+    for (int i = 0; i < cases(20000); ++i) {
+        Quadric q{random.in_cube(), random.in_cube(), random.in_cube(), 0, {Vec3(-1), Vec3(1)}};
+        if (i % 3 == 0) q.linear = Vec3(0);
+        Vec3 p = random.magnitude(-30, 30) * random.in_cube();
+        if (i % 5 == 0) p = Vec3(0);
+        if (i % 7 == 0) p.x = p.z = 0;
+        if (i % 11 == 0) p *= 1e-300;
+        const TexturePoint texture = texture_point(q, p, 6);
+        INFO(q << ", p = " << p);
+        CHECK(is_finite(texture));
+        CHECK(texture.uv.x >= 0);
+        CHECK(texture.uv.x < 1);
+        CHECK(near(texture_uv(q, p, 6), texture.uv, 0));
+    }
+    const Quadric cone{{1, -1, 1}, Vec3(0), Vec3(0), 0, {Vec3(-1), Vec3(1)}};
+    INFO("the cone x² + z² = y², whose sides run along the radius, at (3, 5, 4)/5");
+    CHECK(texture_point(cone, {0.6, 1, 0.8}, 6).du == Vec3(0));
+}
+
+TEST_CASE("polygons whose first corner is straight, or nearly", "[11.1][stability]") {
+    Random random(11122);
+    for (int i = 0; i < cases(20000); ++i) {
+        const Real size = random.magnitude(-30, 30);
+        const Vec3 a = size * random.in_cube(), along = size * random.in_cube();
+        const Vec3 beside = i % 2 == 0 ? random.magnitude(-40, -3) * size * random.in_cube() : Vec3(0);
+        const Polygon polygon{{a, a + along, a + size * random.in_cube(), a - along + beside}};
+        const TexturePoint texture = texture_point(polygon, a + size * random.in_cube(), 0);
+        INFO(polygon);
+        CHECK(is_finite(texture));
+    }
+}

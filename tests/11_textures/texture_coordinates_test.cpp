@@ -1,11 +1,14 @@
 // Step 11.1: where a point of a shape lies on a texture, and how the surface runs there.
 #include "chapters/11_textures/texture_coordinates.hpp"
 #include "common/math/error.hpp"
+#include "common/scene/formula.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
 #include <array>
 #include <cmath>
+#include <memory>
+#include <string>
 
 using namespace rt;
 using test::cases;
@@ -241,6 +244,95 @@ TEST_CASE("a triangle's tangents by hand", "[11.1]") {
                 {{0.5, 0.25}, {0, -2, 0}, {4, 0, 0}}, 7);
     const TexturePoint none = texture_point(triangle, TriangleUvs{{0, 0}, {1, 1}, {3, 3}}, {0.25, 0.5});
     check_point("the same with uvs (0, 0), (1, 1), (3, 3)", none, {{1.75, 1.75}, Vec3(0), Vec3(0)}, 7);
+}
+
+TEST_CASE("a parallelogram shows the whole picture, from its first vertex on", "[11.1]") {
+    const Polygon wall{{{0, 0, 3}, {4, 0, 3}, {5, 2, 3}, {1, 2, 3}}};
+    const Vec3 du(4, 0, 0), dv(1, 2, 0);
+    check_point("first vertex", texture_point(wall, {0, 0, 3}, 0), {{0, 0}, du, dv}, 5);
+    check_point("opposite vertex", texture_point(wall, {5, 2, 3}, 0), {{1, 1}, du, dv}, 5);
+    check_point("p = (1.5, 1, 3)", texture_point(wall, {1.5, 1, 3}, 0), {{0.25, 0.5}, du, dv}, 5);
+    const Polygon triangle{{{0, 0, 0}, {2, 0, 0}, {0, 0, 3}}};
+    check_point("a triangle, as its weights of the second and the third corner",
+                texture_point(triangle, {0.5, 0, 1.5}, 0), {{0.25, 0.5}, {2, 0, 0}, {0, 0, 3}}, 3);
+}
+
+TEST_CASE("a polygon whose first corner is straight has no place for a picture", "[11.1]") {
+    const Polygon straight{{{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {0, 0, 0}}};
+    check_point("a square that begins in the middle of a side", texture_point(straight, {1, 0.5, 0}, 0), {},
+                2);
+}
+
+TEST_CASE("a polygon's picture is stretched and turned with it", "[11.1]") {
+    Random random(11119);
+    for (int i = 0; i < cases(2000); ++i) {
+        const Vec3 first = random.in_cube(), across = random.in_cube(), up = random.in_cube();
+        const Real size = length(across) * length(up), sine = length(cross(across, up)) / size;
+        if (sine < 0.1) continue;
+        const Vec2 uv(random.uniform(-1, 2), random.uniform(-1, 2));
+        const Polygon polygon{{first, first + across, first + 2.0 * across + 3.0 * up, first + up}};
+        const Vec3 p = first + uv.x * across + uv.y * up;
+        INFO(polygon << ", p = " << p);
+        const Real least = std::min(length(across), length(up));
+        CHECK(near(texture_point(polygon, p, 0).uv, uv, gamma(64) * 8 / (sine * least)));
+    }
+}
+
+namespace {
+
+/// The surface x²/a² + y²/b² + z²/c² = 1 as both kinds of shapes.
+Quadric ellipsoid(const Vec3& axes) {
+    return {Real(1) / (axes * axes), Vec3(0), Vec3(0), -1, {Vec3(-9), Vec3(9)}};
+}
+Implicit sphere_of_formula() {
+    return {{Vec3(-9), Vec3(9)}, std::make_shared<const Formula>(parse_formula("x^2+y^2+z^2-1"))};
+}
+
+}  // namespace
+
+TEST_CASE("a quadric or formula that is a ball has a ball's coordinates", "[11.1]") {
+    const Sphere ball{Vec3(0), 1};
+    for (const Vec3& p : {Vec3(1, 0, 0), Vec3(0.6, 0, 0.8), Vec3(0, -0.6, -0.8), Vec3(0, 1, 0)}) {
+        const TexturePoint expected = texture_point(ball, p, 0);
+        const std::string where = "p = " + test::show(p);
+        check_point("quadric, " + where, texture_point(ellipsoid(Vec3(1)), p, 6), expected, 1);
+        check_point("formula, " + where, texture_point(sphere_of_formula(), p, 6), expected, 1);
+        CHECK(near(texture_uv(ellipsoid(Vec3(1)), p, 6), expected.uv, 0));
+        CHECK(near(texture_uv(sphere_of_formula(), p, 6), expected.uv, 0));
+    }
+}
+
+TEST_CASE("a wall beside the origin: a step of u goes along it, not around the origin", "[11.1]") {
+    // The plane x = 2 as a quadric; p = (2, 0, 2) is 45 degrees from x. z = 2 tan θ, dz/dθ = 2/cos² = 4.
+    const Quadric wall{Vec3(0), Vec3(0), {1, 0, 0}, -2, {Vec3(-9), Vec3(9)}};
+    const TexturePoint texture = texture_point(wall, {2, 0, 2}, 6);
+    check_point("the plane x = 2, p = (2, 0, 2)", texture,
+                {{0.125, 0.5}, {0, 0, 4 * turn}, {0, 2 * std::sqrt(2.0) * pi, 0}}, 16);
+}
+
+TEST_CASE("points of ellipsoids, and steps along their tangents", "[11.1]") {
+    Random random(11120);
+    for (int i = 0; i < cases(2000); ++i) {
+        const Vec3 axes(random.uniform(0.5, 2), random.uniform(0.5, 2), random.uniform(0.5, 2));
+        const Vec2 uv(random.uniform(0.001, 0.999), random.uniform(0.05, 0.95));
+        check_against(ellipsoid(axes), 6, uv, 64, [&](const Vec2& at) {
+            const Real along = turn * at.x, up = pi * at.y;
+            const Vec3 d(std::sin(up) * std::cos(along), -std::cos(up), std::sin(up) * std::sin(along));
+            return d / length(d / axes);
+        });
+    }
+}
+
+TEST_CASE("where the box closes a quadric, steps go along its face", "[11.1]") {
+    const Vec3 p(0.5, 0.75, -0.25);
+    for (std::uint32_t face = 0; face < 6; ++face) {
+        const TexturePoint texture = texture_point(ellipsoid(Vec3(2)), p, face);
+        INFO("face " << face << ", p = " << p << ": du " << texture.du << ", dv " << texture.dv);
+        const int axis = static_cast<int>(face / 2);
+        CHECK(near(texture.du[axis], 0, gamma(64) * 16 * turn));
+        CHECK(near(texture.dv[axis], 0, gamma(64) * 16 * turn));
+        CHECK(length(texture.dv) > 0);
+    }
 }
 
 TEST_CASE("points of balls, and steps along their tangents", "[11.1]") {

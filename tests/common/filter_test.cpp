@@ -58,8 +58,7 @@ TEST_CASE("bricks to the horizon, and in a mirror, are what very many samples of
         CHECK(std::abs(off.mean) < 1e-4);
         CHECK(off.rms < 7e-4);
         CHECK(off.greatest < 3e-3);
-        if (filter == TextureFilter::Trilinear) continue;  // it blurs, by 1.6 times what it can know
-        // The error is what the picture says itself: footprints add little to that of the edges.
+        // The error of long footprints is what the picture says itself: they add little to that of the edges.
         Real squares = 0;
         for (std::size_t i = 0; i < seen.image.pixels.size(); ++i) {
             const Vec3 d = seen.image.pixels[i] - truth.image.pixels[i];
@@ -68,8 +67,13 @@ TEST_CASE("bricks to the horizon, and in a mirror, are what very many samples of
         const Real error = std::sqrt(squares / (3 * static_cast<Real>(seen.image.pixels.size())));
         REQUIRE(seen.rms_error);
         INFO("error " << error << ", by its own estimate " << *seen.rms_error);
-        CHECK(error < 1.5 * *seen.rms_error);
         CHECK(*seen.rms_error < 1.5 * error);
+        // Squares blur; samples of what is blurred do not tell. How much is said in the lesson, and in
+        // README.md.
+        if (filter == TextureFilter::Trilinear)
+            CHECK(test::near(error / *seen.rms_error, 1.6, 0.15));
+        else
+            CHECK(error < 1.5 * *seen.rms_error);
     }
     // That is not always so: one sample a pixel does not.
     const Difference single = by_blocks(horizon(TextureFilter::Bilinear, 1, 0).image, truth.image);

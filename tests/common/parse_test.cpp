@@ -72,6 +72,7 @@ Example example_of(const SceneCommand& command) {
         {"polygon", {"polygon 0 1 2", three}},
         {"mesh", {"mesh a.obj", ""}},
         {"texture", {"texture a.pfm", ""}},
+        {"normalmap", {"normalmap a.pfm", ""}},
         {"textured", {"textured ambient", ""}},
         {"finish", {"finish matte 1", ""}},
         {"environment", {"environment a.pfm 1", ""}},

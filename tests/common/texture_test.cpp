@@ -1,11 +1,15 @@
 // Pictures, patterns and skies in whole scenes: what is read, what a world keeps, what is seen.
 #include "common/image/file.hpp"
+#include "common/povray/export.hpp"
+#include "common/render/snapshots.hpp"
 #include "common/scene/language/commands.hpp"
 #include "tests/catch.hpp"
 #include "tests/show.hpp"
 #include "tests/worlds.hpp"
 
+#include <cmath>
 #include <filesystem>
+#include <functional>
 
 using namespace rt;
 using test::picture_of;
@@ -109,7 +113,7 @@ TEST_CASE("`textured` says which numbers are multiplied") {
     CHECK(pixel(picture_with(with + "textured specular\n" + lit + wall), 0, 0) == Vec3(1.25));
     CHECK(error_of("textured ambiant\n") ==
           "test.scene:3:10: 'ambiant' is not a known textured; did you mean 'ambient'?; expected: textured "
-          "ambient|diffuse|emission|specular|transmission|absorption|shininess ...");
+          "ambient|diffuse|emission|specular|transmission|absorption|shininess|finish ...");
 }
 
 TEST_CASE("a pattern takes the place of the one before, and white ones are none") {
@@ -134,12 +138,64 @@ TEST_CASE("a plane exactly between two stripes has one colour") {
     }
 }
 
-TEST_CASE("surfaces without texture coordinates refuse a picture") {
-    CHECK(error_of("texture four.pfm\nimplicit -1 -1 -1 1 1 1 x\n") ==
-          "test.scene:4:1: this implicit surface has no texture coordinates for its 'texture'");
-    CHECK(error_of("texture four.pfm\nunion\nsphere 0 0 0 1\nsphere 1 0 0 1\nend\n")
-              .find("has no texture coordinates") != std::string::npos);
-    CHECK(error_of("marble 1 1 1 0 0 0 1\nimplicit -1 -1 -1 1 1 1 x\n").empty());
+TEST_CASE("a polygon shows its picture from its first vertex to its second and its last") {
+    const std::string square =
+        "orthographic 2\nambient 1 1 1\ntexturefilter nearest\ntexture four.pfm\n"
+        "vertex -1 -1 0\nvertex 1 -1 0\nvertex 1 1 0\nvertex -1 1 0\n";
+    const Image seen = picture_with(square + "polygon 0 1 2 3\n");
+    CHECK(pixel(seen, 0, 0) == Vec3(1, 0, 0));
+    CHECK(pixel(seen, 7, 0) == Vec3(0, 1, 0));
+    CHECK(pixel(seen, 0, 7) == Vec3(0, 0, 1));
+    const Image turned = picture_with(square + "rotate 0 0 1 180\npolygon 0 1 2 3\n");
+    CHECK(pixel(turned, 0, 0) == Vec3(0.5));
+    CHECK(pixel(turned, 7, 7) == Vec3(1, 0, 0));
+    CHECK(
+        error_of("texture four.pfm\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex -1 1 0\nvertex -1 0 0\n"
+                 "polygon 0 1 2 3 4\n") ==
+        "test.scene:9:1: the corner of this polygon between its last, first and second vertex, which tells "
+        "where its picture lies, is straight: begin with another vertex");
+}
+
+TEST_CASE("a ball that a quadric, a formula or a combination says shows the ball's picture") {
+    const std::string look = "ambient 1 1 1\ntexture four.pfm\n", turned = "rotate 1 2 3 40\n";
+    const std::string quadric = "quadric 1 1 1 0 0 0 0 0 0 -1 -2 -2 -2 2 2 2\n",
+                      formula = "implicit -2 -2 -2 2 2 2 x^2+y^2+z^2-1\n",
+                      both = "intersection\nsphere 0 0 0 1\nbox -2 -2 -2 2 2 2\nend\n";
+    for (const std::string& place : {std::string(), turned}) {
+        const Image ball = picture_with(look + place + "sphere 0 0 0 1\n");
+        for (const std::string& shape : {quadric, formula, both}) {
+            INFO(place << shape);
+            // The points that are met differ by rounding.
+            CHECK(test::differing(ball, picture_with(look + place + shape), 1e-9) == 0);
+        }
+    }
+}
+
+TEST_CASE("the parts of a combination show pictures as they would alone") {
+    const std::string look = "ambient 1 1 1\ntexturefilter nearest\ntexture four.pfm\n";
+    // From a box a tilted half space is taken away, beside what is seen; then all in front of it.
+    const std::string box = "box -1 -1 -1 1 1 1\n", cut = "rotate 0 0 1 90\nplane 0 0 .5 0 0 -1\n";
+    CHECK(test::differing(picture_with(look + box),
+                          picture_with(look + "difference\n" + box + "sphere 0 0 -1 .5\nend\n")) == 0);
+    const Image face = picture_with(look + "difference\n" + box + cut + "end\n"),
+                wall = picture_with(look + cut);
+    CHECK(pixel(face, 4, 4) == pixel(wall, 4, 4));
+    CHECK(pixel(face, 3, 4) == pixel(wall, 3, 4));
+    CHECK(pixel(face, 4, 3) == pixel(wall, 4, 3));
+    CHECK(pixel(face, 3, 3) != pixel(face, 4, 4));
+}
+
+TEST_CASE("what moves takes its picture along") {
+    const std::string look = "ambient 1 1 1\ntexturefilter nearest\ntexture four.pfm\northographic 1\n";
+    const std::string corners = "vertex 0 0 0\nvertex 2 0 0\nvertex 2 2 0\nvertex 0 2 0\n";
+    for (const std::string& shape :
+         {std::string("tri 0 1 3\n"), std::string("polygon 0 1 2 3\n"), std::string("sphere 0 0 0 1\n")}) {
+        INFO(shape);
+        const Image still = picture_with(look + corners + shape);
+        // So little that no pixel's centre sees another texel.
+        const Image moving = picture_with(look + corners + "motion 1e-9 0 0\n" + shape);
+        CHECK(test::differing(still, moving, 1e-6) <= 1);
+    }
 }
 
 TEST_CASE("a world keeps what varies a material only where the picture shows it") {
@@ -213,4 +269,173 @@ TEST_CASE("the value of a finish is in its range") {
     const auto needs = [](const std::string& text) { return compile(scene_of(camera + text)).needs; };
     CHECK_FALSE(needs("finish metal\ndiffuse 1 1 1\nsphere 0 0 0 1\n").finishes);
     CHECK(needs("finish metal\ndiffuse 1 1 1\npoint 1 2 3 1 1 1\nsphere 0 0 0 1\n").finishes);
+}
+
+namespace {
+
+/// Writes a picture of unit normals, as a normal map has them, and returns its name.
+std::string normal_map_of(const std::string& name, int side,
+                          const std::function<Vec3(const Vec2& uv)>& normal) {
+    Image image = make_image(side, side);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            pixel(image, x, y) = 0.5 + 0.5 * normal({(x + 0.5) / side, 1 - (y + 0.5) / side});
+    write_image(with_picture() / name, image);
+    return name;
+}
+
+const std::string shown_normals = "integrator normals\northographic 1\n";
+
+}  // namespace
+
+TEST_CASE("a normal map made of heights shows the normals of a surface with these heights") {
+    // h = sin(2πu)·cos(2πv)/10 over the plane z = 0, on which u and v are x and y.
+    const auto normal = [](const Vec2& uv) {
+        const Real a = 2 * pi * uv.x, b = 2 * pi * uv.y;
+        return unit(Vec3(-0.2 * pi * std::cos(a) * std::cos(b), 0.2 * pi * std::sin(a) * std::sin(b), 1));
+    };
+    const std::string map = normal_map_of("waves.pfm", 8, normal);
+    const Image seen = picture_with("texturefilter nearest\nnormalmap " + map + "\n" + shown_normals + wall);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            INFO("pixel (" << x << ", " << y << ")");
+            const Vec3 expected = 0.5 + 0.5 * normal({(x + 0.5) / 8, 1 - (y + 0.5) / 8});
+            // Single precision in the file.
+            CHECK(test::near(pixel(seen, x, y), expected, 1e-6));
+        }
+}
+
+TEST_CASE("a normal map leans along growing u and v, on a ball as well") {
+    const Vec3 lean(0.48, -0.36, 0.8);
+    const std::string map = normal_map_of("lean.pfm", 2, [&](const Vec2&) { return lean; });
+    const std::string ball = "integrator normals\northographic 3\nrotate 1 2 3 40\nsphere 0 0 0 1\n";
+    const Image smooth = picture_with(ball), seen = picture_with("normalmap " + map + "\n" + ball);
+    // Where the ball's own axis is after the turn (Rodrigues).
+    const Vec3 k = unit(Vec3(1, 2, 3)), y(0, 1, 0);
+    const Real angle = radians(Real(40));
+    const Vec3 axis = y * std::cos(angle) + cross(k, y) * std::sin(angle) + k * (k.y * (1 - std::cos(angle)));
+    int compared = 0;
+    for (std::size_t i = 0; i < smooth.pixels.size(); ++i) {
+        const Vec3 n = Real(2) * smooth.pixels[i] - Real(1);
+        if (std::abs(length(n) - 1) > 1e-9) continue;  // nothing is there
+        // u runs from x towards z: against the turn about the axis. v climbs towards the axis.
+        const Vec3 du = unit(cross(n, axis)), dv = unit(axis - dot(axis, n) * n);
+        const Vec3 expected = lean.x * du + lean.y * dv + lean.z * n;
+        if (2 * expected.z * dot(expected, n) < 1.1 * n.z) continue;  // leans too far to be seen
+        ++compared;
+        CHECK(test::near(seen.pixels[i], 0.5 + 0.5 * expected, 1e-6));
+    }
+    CHECK(compared > 4);
+}
+
+TEST_CASE("a flat normal map changes nothing, and a normal that looks away is turned back") {
+    const std::string flat = normal_map_of("flat.pfm", 2, [](const Vec2&) { return Vec3(0, 0, 1); });
+    const std::string ball = "integrator normals\nsphere 0 0 0 1\n";
+    CHECK(test::differing(picture_with(ball), picture_with("normalmap " + flat + "\n" + ball), 1e-12) == 0);
+    CHECK(test::differing(picture_with(ball), picture_with("normalmap four.pfm\nnormalmap off\n" + ball)) ==
+          0);
+    const std::string away = normal_map_of("away.pfm", 2, [](const Vec2&) { return unit(Vec3(3, 0, -1)); });
+    for (const Vec3& p : picture_with("normalmap " + away + "\n" + shown_normals + wall).pixels) {
+        const Vec3 n = Real(2) * p - Real(1);
+        CHECK(test::near(length(n), 1, 1e-9));
+        CHECK(n.z >= 0.5);
+        CHECK(n.x > 0.1);
+    }
+}
+
+TEST_CASE("of a normal map, 8 bits are numbers, even if the file is a texture as well") {
+    Image grey = make_image(1, 1);
+    grey.pixels[0] = Vec3(128 / 255.0);
+    write_image(with_picture() / "grey.png", grey, Encoding::Linear);
+    const Scene scene = scene_of(camera +
+                                 "texture grey.png\nnormalmap grey.png\nsphere 0 0 0 1\n"
+                                 "normalmap grey.png\nsphere 1 0 0 1\n");
+    REQUIRE(scene.pictures.size() == 2);
+    CHECK(scene.pictures[0].image->pixels[0].x < 0.25);
+    CHECK(test::near(scene.pictures[1].image->pixels[0], Vec3(128 / 255.0), 1e-9));
+}
+
+TEST_CASE("a normal map is kept only where normals are asked for, and a bad one is an error") {
+    const auto needs = [](const std::string& text) { return compile(scene_of(camera + text)).needs; };
+    const std::string mapped = "normalmap four.pfm\nsphere 0 0 0 1\n";
+    CHECK_FALSE(needs("sphere 0 0 0 1\n").normal_maps);
+    CHECK_FALSE(needs("bumps .1 .1\nsphere 0 0 0 1\n").normal_maps);
+    CHECK_FALSE(needs("integrator flat\n" + mapped).normal_maps);
+    CHECK_FALSE(needs("integrator flat\n" + mapped).uvs);
+    CHECK(needs(mapped).normal_maps);
+    CHECK(needs("texturefilter anisotropic\n" + mapped).footprints);
+    const Image seen =
+        picture_with("texturefilter anisotropic\ndiffuse 1 1 1\ndirectional 1 1 1 .5 .5 .5\n" + mapped);
+    for (const Vec3& p : seen.pixels) CHECK(test::is_finite(p));
+    CHECK(error_of("normalmap none.png\n") == "test.scene:3:11: picture " +
+                                                  (with_picture() / "none.png").string() +
+                                                  ": cannot be read: No such file or directory");
+    const std::string refused = test::error_of([&] {
+        const Scene scene = scene_of(camera + mapped);
+        export_povray(scene, snapshots_of(scene));
+    });
+    CHECK(
+        refused ==
+        "test.scene:4:1: POV-Ray cannot express this object: a normal map: its bump maps know heights only");
+}
+
+TEST_CASE("for POV-Ray each part of a combination has its own coordinates") {
+    const Scene scene = scene_of(camera +
+                                 "texture four.pfm\nintegrator uv\ndifference\nsphere 0 0 0 1\nunion\n"
+                                 "box 0 0 0 1 1 1\nquadric 1 1 1 0 0 0 0 0 0 -1 -2 -2 -2 2 2 2\nend\nend\n");
+    const std::string text = export_povray(scene, snapshots_of(scene));
+    INFO(text);
+    // The sphere is part 0; the box and the quadric, 1 and 2, stand before their union.
+    for (const char* const name : {"Uv1", "Uv2", "Uv3"}) {
+        CHECK(text.find("#declare " + std::string(name) + " =") != std::string::npos);
+        CHECK(text.find("texture { " + std::string(name) + " }") != std::string::npos);
+    }
+}
+
+TEST_CASE("the roughness of a finish can be textured") {
+    const std::string lit = "diffuse .8 .6 .4\nspecular 0 0 0\npoint 2 3 4 1 1 1\n",
+                      ball = "sphere 0 0 0 1\n", quarter = "textured finish\nstripes .5 1 1 .5 1 1 1\n";
+    for (const char* const finish : {"matte", "velvet", "metal"}) {
+        INFO("finish " << finish);
+        const std::string whole = "finish " + std::string(finish) + " .8\n",
+                          half = "finish " + std::string(finish) + " .4\n";
+        CHECK(test::differing(picture_with(lit + quarter + whole + ball), picture_with(lit + half + ball),
+                              1e-12) == 0);
+        CHECK(test::differing(picture_with(lit + whole + ball), picture_with(lit + half + ball), 1e-3) > 10);
+    }
+}
+
+TEST_CASE("rough glass sends on light from behind, in one direction as in the other") {
+    // The lesson's example: α = ½, n = 1.5, straight through. f = 34.56/π out of the glass, 15.36/π into it,
+    // and straight back 0.04·(4/π)/4. A lamp of L makes π·f·|cos|·L.
+    const std::string
+        glass = "orthographic 1\nambient 0 0 0\ndiffuse 1 1 1\nior 1.5\nfinish glass .70710678118654752\n",
+        behind = "directional 0 0 -1 .01 .01 .01\n", front = "directional 0 0 1 1 1 1\n",
+        out = "disc 0 0 0 0 0 1 9\n", in = "disc 0 0 0 0 0 -1 9\n";
+    CHECK(test::near(pixel(picture_with(glass + behind + out), 3, 3), Vec3(0.3456), 1e-9));
+    CHECK(test::near(pixel(picture_with(glass + behind + in), 3, 3), Vec3(0.1536), 1e-9));
+    CHECK(test::near(pixel(picture_with(glass + front + out), 3, 3), Vec3(0.04), 1e-9));
+    const std::string body = "maxdepth 0\nbox -9 -9 -1 9 9 0\n";
+    CHECK(pixel(picture_with(glass + behind + body), 3, 3) == Vec3(0));
+    CHECK(test::near(pixel(picture_with(glass + behind + "transmission .5 .25 1\n" + body), 3, 3),
+                     0.3456 * Vec3(0.5, 0.25, 1), 1e-9));
+    CHECK(error_of("finish glass\nsphere 0 0 0 1\n") ==
+          "test.scene:4:1: 'finish glass' takes an 'ior' from 1.01 to 4, and the one in force is 1");
+    CHECK(error_of("finish glass 2\n").find("test.scene:3:14: the value of 'glass' must be from 0 to 1") ==
+          0);
+}
+
+TEST_CASE("finishes under lights with an extent") {
+    const std::string lit =
+        "diffuse .8 .6 .4\nambient 0 0 0\nspp 4\nquadLight -1 3 2 2 0 0 0 0 1 3 3 3\nsphereLight 3 2 3 .5 2 "
+        "2 2\n";
+    const std::string ball = "sphere 0 0 0 1\n";
+    const Image plain = picture_with(lit + ball);
+    CHECK(test::differing(plain, picture_with("finish matte 0\n" + lit + ball), 1e-12) == 0);
+    for (const char* const finish : {"matte 1", "velvet .5", "metal .5", "coated 1.5", "glass .5\nior 1.5"}) {
+        INFO("finish " << finish);
+        const Image seen = picture_with("finish " + std::string(finish) + "\n" + lit + ball);
+        CHECK(test::differing(plain, seen, 0.003) > 10);
+        for (const Vec3& p : seen.pixels) CHECK((test::is_finite(p) && p.x >= 0 && p.y >= 0 && p.z >= 0));
+    }
 }

@@ -418,6 +418,12 @@ std::vector<Case> cases() {
          .with_feature = head + lamp_text + "bumps .01 .1\n" + balls_text(),
          .minimal = balls_by_lamp,
          .bytes = memory(balls, 2, 1)},
+        {.feature = "normal maps",
+         .scene = head + lamp_text + balls_text(),
+         .with_feature =
+             head + lamp_text + "normalmap ../../references/11_textures/figures/bricks.png\n" + balls_text(),
+         .minimal = balls_by_lamp,
+         .bytes = memory(balls, 2, 1)},
         {.feature = "finishes",
          .scene = head + lamp_text + sun_text + balls_text(),
          .with_feature = head + lamp_text + sun_text + "finish matte 1\n" + balls_text(),

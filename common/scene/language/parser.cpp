@@ -42,14 +42,14 @@ std::string whole_path(const std::filesystem::path& file) {
     return error ? file.string() : canonical.string();
 }
 
-std::uint32_t picture_named(Parser& parser, std::string_view word) {
+std::uint32_t picture_named(Parser& parser, std::string_view word, Encoding encoding) {
     const std::filesystem::path path = file_named(parser, word);
     std::vector<PictureFile>& pictures = parser.scene.pictures;
-    const auto [found, is_new] =
-        parser.picture_of_file.try_emplace(whole_path(path), static_cast<std::uint32_t>(pictures.size()));
+    const auto [found, is_new] = parser.picture_of_file.try_emplace(
+        {whole_path(path), encoding}, static_cast<std::uint32_t>(pictures.size()));
     if (is_new) {
         try {
-            Picture read = read_picture(path);
+            Picture read = read_picture(path, encoding);
             pictures.push_back(
                 {std::string(word), std::make_shared<const Image>(std::move(read.image)), read.eight_bits});
         } catch (const InputError& problem) {

@@ -11,6 +11,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rt::language {
@@ -48,7 +49,7 @@ struct Parser {
     bool integrator_rasterizes = false;  ///< the last `integrator` said the older word for both
     std::string adaptive_place{};        ///< of `adaptive on`, for a message
     std::map<std::string, std::uint32_t> mesh_of_file{};  ///< by the whole path
-    std::map<std::string, std::uint32_t> picture_of_file{};
+    std::map<std::pair<std::string, Encoding>, std::uint32_t> picture_of_file{};
 
     const SceneCommand* command = nullptr;  ///< of the line
     int line_number = 0;
@@ -82,8 +83,9 @@ std::filesystem::path file_named(const Parser& parser, std::string_view word);
 /// The whole path of a file, so that each is read once, whatever it is called.
 std::string whole_path(const std::filesystem::path& file);
 
-/// The index into Scene::pictures of the picture that a word of the line names; read if it is new.
-std::uint32_t picture_named(Parser& parser, std::string_view word);
+/// The index into Scene::pictures of the picture that a word of the line names; read if it is new. 8-bit
+/// files are light by the sRGB curve or, as `Encoding::Linear`, numbers.
+std::uint32_t picture_named(Parser& parser, std::string_view word, Encoding encoding = Encoding::Srgb);
 
 /// Where a word of the line is.
 SourcePlace place_of(const Parser& parser, std::string_view word);

@@ -23,8 +23,17 @@ std::int32_t index_in(std::vector<What>& list, const What& in_force) {
     return static_cast<std::int32_t>(list.size()) - 1;
 }
 
+/// Refuses rough glass of an index of refraction for which there is no lobe.
+void require_index_of_glass(const Parser& parser) {
+    const Real ior = parser.material.ior;
+    if (parser.finish.kind == FinishKind::Glass && !(ior >= 1.01 && ior <= 4))
+        fail(parser, parser.words[0],
+             "'finish glass' takes an 'ior' from 1.01 to 4, and the one in force is " + shown(ior));
+}
+
 /// The index of the material in force.
 std::uint32_t material_in_force(Parser& parser) {
+    require_index_of_glass(parser);
     parser.material.texturing = index_in(parser.scene.texturings, parser.texturing);
     parser.material.finish = index_in(parser.scene.finishes, parser.finish);
     std::vector<Material>& materials = parser.scene.materials;

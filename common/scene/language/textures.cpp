@@ -24,6 +24,14 @@ void set_texture(Parser& parser) {
                                     parser.texture_filter};
 }
 
+void set_normal_map(Parser& parser) {
+    if (parser.words[1] == "off")
+        parser.texturing.normal_map.reset();
+    else
+        parser.texturing.normal_map = {picture_named(parser, parser.words[1], Encoding::Linear), parser.wrap,
+                                       parser.texture_filter};
+}
+
 template <PatternKind kind>
 void set_pattern(Parser& parser) {
     const Vec3 first = color(parser, 1), second = color(parser, 4);
@@ -44,7 +52,7 @@ void set_textured(Parser& parser) {
         {"ambient", &ColorsOf::ambient},           {"diffuse", &ColorsOf::diffuse},
         {"emission", &ColorsOf::emission},         {"specular", &ColorsOf::specular},
         {"transmission", &ColorsOf::transmission}, {"absorption", &ColorsOf::absorption},
-        {"shininess", &ColorsOf::shininess}};
+        {"shininess", &ColorsOf::shininess},       {"finish", &ColorsOf::finish}};
     ColorsOf chosen{false, false, false};
     for (std::size_t i = 1; i < parser.words.size(); ++i) chosen.*choice(parser, names, i) = true;
     parser.texturing.colors = chosen;
@@ -60,7 +68,8 @@ constexpr FinishWord finishes[] = {{"plain", {}, 0, 0},
                                    {"matte", {FinishKind::Matte, 0.5}, 0, 1},
                                    {"velvet", {FinishKind::Velvet, 0.5}, 0, 1},
                                    {"metal", {FinishKind::Metal, 0.3}, 0, 1},
-                                   {"coated", {FinishKind::Coated, 1.5}, 1, 4}};
+                                   {"coated", {FinishKind::Coated, 1.5}, 1, 4},
+                                   {"glass", {FinishKind::Glass, 0.3}, 0, 1}};
 
 void set_finish(Parser& parser) {
     parser.finish = choice(parser, finishes);
@@ -113,9 +122,10 @@ const CommandRow rows[] = {
       "mean over a square as large as what a pixel sees; or over the shape that it sees, however long.",
       "11"},
      [](Parser& p) { p.texture_filter = choice(p, filters); }},
-    {{"textured", "ambient|diffuse|emission|specular|transmission|absorption|shininess ...",
+    {{"textured", "ambient|diffuse|emission|specular|transmission|absorption|shininess|finish ...",
       "For the objects that follow: which numbers of the material a texture or a pattern multiplies; "
-      "`shininess` by its red channel. At first `textured ambient diffuse emission`.",
+      "`shininess`, and the roughness of a `finish`, by its red channel. At first `textured ambient diffuse "
+      "emission`.",
       "11"},
      set_textured},
     {{"stripes", "r g b r g b size",
@@ -141,7 +151,9 @@ const CommandRow rows[] = {
       "For the objects that follow: how they spread diffuse light under lamps, with the diffuse colour, 1 at "
       "most in each channel: `plain` evenly (default); `matte` as rough clay, its value the roughness from 0 "
       "to 1, else .5; `velvet`, likewise; `metal`, likewise, else .3; `coated` as paint under a clear coat, "
-      "its value the coat's index of refraction from 1 to 4, else 1.5.",
+      "its value the coat's index of refraction from 1 to 4, else 1.5; `glass` as rough glass, also for "
+      "lamps "
+      "on the other side, its value the roughness, else .3, its `ior` from 1.01 to 4.",
       "11"},
      set_finish},
     {{"bumps", "height size",
@@ -149,6 +161,13 @@ const CommandRow rows[] = {
       "in world units; `bumps 0 1` is none.",
       "11"},
      set_bumps},
+    {{"normalmap", "file",
+      "For the objects that follow: a picture of shading normals n in a surface's own directions, rgb = (n + "
+      "1)/2, as numbers whatever its bits: red along growing u, green along growing v (up; OpenGL's way), "
+      "blue "
+      "outwards. Wrapped and filtered as textures; before `bumps`. `normalmap off` is none.",
+      "11"},
+     set_normal_map},
     {{"environment", "file [turn]",
       "A picture of what is seen where nothing is hit, in latitude and longitude; turned by `turn` degrees "
       "about y, counterclockwise from above.",
