@@ -152,8 +152,7 @@ const CommandRow rows[] = {
       "most in each channel: `plain` evenly (default); `matte` as rough clay, its value the roughness from 0 "
       "to 1, else .5; `velvet`, likewise; `metal`, likewise, else .3; `coated` as paint under a clear coat, "
       "its value the coat's index of refraction from 1 to 4, else 1.5; `glass` as rough glass, also for "
-      "lamps "
-      "on the other side, its value the roughness, else .3, its `ior` from 1.01 to 4.",
+      "lamps on the other side, its value the roughness, else .3, its `ior` from 1.01 to 4.",
       "11"},
      set_finish},
     {{"bumps", "height size",
