@@ -178,10 +178,10 @@ TEST_CASE("the parts of a combination show pictures as they would alone") {
     CHECK(test::differing(picture_with(look + box),
                           picture_with(look + "difference\n" + box + "sphere 0 0 -1 .5\nend\n")) == 0);
     const Image face = picture_with(look + "difference\n" + box + cut + "end\n"),
-                wall = picture_with(look + cut);
-    CHECK(pixel(face, 4, 4) == pixel(wall, 4, 4));
-    CHECK(pixel(face, 3, 4) == pixel(wall, 3, 4));
-    CHECK(pixel(face, 4, 3) == pixel(wall, 4, 3));
+                half_space = picture_with(look + cut);
+    CHECK(pixel(face, 4, 4) == pixel(half_space, 4, 4));
+    CHECK(pixel(face, 3, 4) == pixel(half_space, 3, 4));
+    CHECK(pixel(face, 4, 3) == pixel(half_space, 4, 3));
     CHECK(pixel(face, 3, 3) != pixel(face, 4, 4));
 }
 

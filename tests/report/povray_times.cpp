@@ -126,9 +126,10 @@ Scene beside(const Povray& povray, int height) {
 CurveToDraw povray_curve(const char* name, const Povray& povray, const Scene& scene,
                          const std::vector<std::pair<int, std::vector<std::string>>>& points) {
     CurveToDraw curve{{name, Sampler::Regular}, {}};
-    for (const auto& [samples, declared] : points)
-        curve.points.push_back(
-            {samples, [=](int) { return povray.draw(scene.width, scene.height, declared); }});
+    for (const auto& point : points)
+        curve.points.push_back({point.first, [=, declared = point.second](int) {
+                                    return povray.draw(scene.width, scene.height, declared);
+                                }});
     return curve;
 }
 
