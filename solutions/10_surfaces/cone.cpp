@@ -134,10 +134,12 @@ Surface surface_at(const Cone& cone, const Ray& ray, const Hit& hit) {
     if (across == Vec3(0)) across = any_across(u);
     const Vec3 radial = normalize(near_one(across));
 
-    // A point within rounding of a rim or an apex is moved into its own face, so that the next ray does not
-    // take it for one that is beyond the other, or beyond the axis.
+    // A point near a rim or an apex is moved into its own face, so that the next ray does not take it for one
+    // that is beyond the other, or beyond the axis. It may start on either side of the face: then it is moved
+    // by |error|, at most gamma(4)·|a| + gamma(2)·reach + √3·slack, and rounded by 3u·(|a| + reach); and what
+    // the next ray makes of it is off by slack. |a| is at most √3 times its greatest coordinate.
     const bool is_side = hit.element == 0;
-    const Real lean = std::abs(widening) / length_of_u, margin = 2 * slack + gamma(8) * size_of(cone.a);
+    const Real lean = std::abs(widening) / length_of_u, margin = 3 * slack + gamma(13) * size_of(cone.a);
     const Real least_radius = 2 * (1 + lean) * margin;
     if (is_side) {
         Interval part{margin / length_of_u, 1 - margin / length_of_u};

@@ -1,5 +1,7 @@
 // Steps 10.4 to 10.6: cones and cylinders.
 #include "chapters/10_surfaces/cone.hpp"
+
+#include "chapters/06_shadows/shadow.hpp"
 #include "tests/10_surfaces/check_span.hpp"
 
 #include <algorithm>
@@ -464,4 +466,26 @@ TEST_CASE("so near to the axis that the square of the distance is 0, there is a 
     INFO(describe(hat, ray) << "\n" << surface);
     CHECK(test::near(surface.normal, normalize(Vec3(2, 1, 0)), gamma(16)));
     CHECK(test::near(surface.point, Vec3(0, 2, 0), 1e-12));
+}
+
+TEST_CASE("who goes into a flat cone beside its rim meets the far side next, not the end", "[10.6]") {
+    // Far from the origin, where points are rounded most. The way in is along the thin edge between the side
+    // and the end at b.
+    Random random(1066);
+    for (int i = 0; i < cases(20000); ++i) {
+        const Vec3 a = random.uniform(500, 2000) * random.direction(), u = 10.0 * random.direction();
+        const Cone flat{a, 0, a + u, 120};
+        const Vec3 across = random.perpendicular_to(u), rim = a + u + 120.0 * across;
+        const Vec3 outwards = normalize(across - 12.0 / 10 * u);
+        const Ray incoming{rim + 5.0 * outwards - random.magnitude(-16, -10) * across, -outwards};
+        const std::optional<Hit> hit = intersect(flat, incoming, ahead);
+        if (!hit || hit->element != 0) continue;
+        const Vec3 inside = a + random.uniform(0.9, 0.999) * u;
+        const Vec3 direction = normalize(inside - rim);
+        const Vec3 start = offset_origin(surface_at(flat, incoming, *hit), direction);
+        const std::optional<Hit> next = intersect(flat, {start, direction}, ahead);
+        INFO(describe(flat, {start, direction}) << ", which came in by the side beside the rim at b");
+        REQUIRE(next);
+        CHECK(next->t > 1);
+    }
 }
