@@ -1,4 +1,4 @@
-s/^enum class Integrator {.*Uv/&, Silhouette/
+s/^enum class Integrator {.*[A-Za-z]/&, Silhouette/
 /^inline constexpr IntegratorRow integrators\[\] = {/,/^};/s/^};/    {.value = Integrator::Silhouette,\
      .name = "silhouette",\
      .meaning = "white where anything is",\
