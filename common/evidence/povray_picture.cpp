@@ -4,6 +4,7 @@
 #include "chapters/08_antialiasing/film.hpp"
 #include "common/image/file.hpp"
 #include "common/povray/export.hpp"
+#include "common/povray/exposure.hpp"
 #include "common/render/snapshots.hpp"
 #include "common/terminal/process.hpp"
 
@@ -57,73 +58,95 @@ double run_povray(const std::string& name, const std::string& text, const Scene&
     return result.seconds;
 }
 
-/// The frames of an animation are NAME with a number and .png; all numbers have as many digits as the last
-/// one.
-std::vector<Image> take_frames(const std::string& name, int count, const fs::path& directory) {
-    const std::size_t digits = fmt::format("{}", count - 1).size();
-    std::vector<Image> frames;
-    for (int k = 0; k < count; ++k) {
-        const fs::path file = directory / fmt::format("{}{:0{}}.png", name, k, digits);
-        frames.push_back(read_image(file));
-        fs::remove(file);
-    }
-    return frames;
+/// The picture's pixels as samples of a pixel that is `scale` × `scale` of them; each of them was taken at
+/// the place `at` of its own.
+std::vector<FilmSample> samples_of(const Image& large, int scale, const Vec2& at, Real weight) {
+    std::vector<FilmSample> samples;
+    samples.reserve(large.pixels.size());
+    for (int y = 0; y < large.height; ++y)
+        for (int x = 0; x < large.width; ++x)
+            samples.push_back({(Vec2(x, y) + at) / Real(scale), pixel(large, x, y), weight});
+    return samples;
 }
 
-/// Whether a channel of a pixel is cut off in some of the pictures, so that the mean of all is not known.
-bool is_cut_off(std::span<const Image> stills, int x, int y, int channel, bool alone) {
-    const auto is_white = [&](const Image& still) { return !(pixel(still, x, y)[channel] < 1); };
-    const auto count = std::ranges::count_if(stills, is_white);
-    return count > 0 && !(alone && static_cast<std::size_t>(count) == stills.size());
-}
-
-/// Where all pictures are white, a pixel that takes no samples of its neighbours is white, too.
-void require_not_cut_off(std::span<const Image> stills, const Scene& scene) {
-    const Filter& filter = scene.sampling.filter;
-    const bool alone = filter.kind == FilterKind::Box && filter.radius == 0.5;
-    for (int y = 0; y < scene.height; ++y)
-        for (int x = 0; x < scene.width; ++x)
-            for (int channel = 0; channel < 3; ++channel)
-                if (is_cut_off(stills, x, y, channel, alone))
-                    throw InputError(fmt::format(
-                        "{}: POV-Ray's picture of a sample is cut off at white in pixel ({}, {}), so "
-                        "the mean is not known: let the lights be darker",
-                        scene.file, x, y));
-}
-
-/// The image weighed from what POV-Ray has made, as a file of 16 bits has it.
-PovrayPicture kept_as_png16(const fs::path& file, const Image& image, double seconds) {
-    write_png16(file, image);
-    return {read_image(file), seconds};
-}
-
-Image weighed(std::span<const FilmSample> samples, const Scene& scene) {
+Image developed(std::span<const FilmPixel> film, const Scene& scene) {
     Image image = make_image(scene.width, scene.height);
-    const std::vector<FilmPixel> film =
-        film_of(samples, scene.sampling.filter, {0, 0, scene.width, scene.height});
     std::ranges::transform(film, image.pixels.begin(), color_of);
     return image;
+}
+
+/// Where some of the pictures are cut off at white, the mean of all is not known.
+struct White {
+    std::vector<glm::ivec3> counts;  ///< a pixel: of how many pictures each channel is white
+
+    explicit White(const Scene& scene)
+        : counts(static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height)) {}
+
+    void look_at(const Image& still) {
+        for (std::size_t i = 0; i < counts.size(); ++i)
+            counts[i] += glm::ivec3(glm::greaterThanEqual(still.pixels[i], Vec3(1)));
+    }
+
+    /// Where all pictures are white, a pixel that takes no samples of its neighbours is white, too.
+    void require_none(const Scene& scene, int stills) const {
+        const Filter& filter = scene.sampling.filter;
+        const bool alone = filter.kind == FilterKind::Box && filter.radius == 0.5;
+        const auto width = static_cast<std::size_t>(scene.width);
+        for (std::size_t i = 0; i < counts.size(); ++i)
+            for (int channel = 0; channel < 3; ++channel) {
+                const int count = counts[i][channel];
+                if (count == 0 || (alone && count == stills && exposure_of(scene) == 1)) continue;
+                throw InputError(
+                    fmt::format("{}: POV-Ray's picture of a sample is cut off at white in pixel ({}, {}), so "
+                                "the mean is not known: let the lights be darker",
+                                scene.file, i % width, i / width));
+            }
+    }
+};
+
+/// The frames of an animation weighed: each has one sample of every pixel. They are NAME with a number and
+/// .png, and are removed; all numbers have as many digits as the last one.
+Image mean_of_frames(const std::string& name, int count, const Scene& scene, const fs::path& directory) {
+    const std::vector<Snapshot> snapshots = snapshots_of(scene);
+    const std::size_t digits = fmt::format("{}", count - 1).size();
+    const Tile whole{0, 0, scene.width, scene.height};
+    std::vector<FilmPixel> film;
+    White white(scene);
+    for (int k = 0; k < count; ++k) {
+        const fs::path file = directory / fmt::format("{}{:0{}}.png", name, k, digits);
+        const Image still = read_image(file);
+        fs::remove(file);
+        white.look_at(still);
+        const Snapshot& snapshot = snapshots[static_cast<std::size_t>(k)];
+        const std::vector<FilmPixel> exposed =
+            film_of(samples_of(still, 1, snapshot.at, snapshot.weight), scene.sampling.filter, whole);
+        film.resize(exposed.size());
+        for (std::size_t i = 0; i < film.size(); ++i) film[i] = merge(film[i], exposed[i]);
+    }
+    white.require_none(scene, count);
+    Image image = developed(film, scene);
+    for (Vec3& color : image.pixels) color /= exposure_of(scene);
+    return image;
+}
+
+/// The image weighed from what POV-Ray has made, as a file has it: a .png of 16 bits, or an .hdr if it is
+/// brighter than white.
+PovrayPicture kept(fs::path file, const Image& image, double seconds) {
+    if (std::ranges::any_of(image.pixels, [](const Vec3& color) { return max_component(color) > 1; })) {
+        file.replace_extension(".hdr");
+        write_image(file, image, Encoding::Linear);
+    } else {
+        write_png16(file, image);
+    }
+    return {file, read_image(file), seconds};
 }
 
 }  // namespace
 
 Image filtered(const Image& large, int scale, const Scene& scene) {
-    std::vector<FilmSample> samples;
-    samples.reserve(large.pixels.size());
-    for (int y = 0; y < large.height; ++y)
-        for (int x = 0; x < large.width; ++x)
-            samples.push_back({Vec2(x + 0.5, y + 0.5) / Real(scale), pixel(large, x, y), 1});
-    return weighed(samples, scene);
-}
-
-Image filtered(std::span<const Image> stills, std::span<const Snapshot> snapshots, const Scene& scene) {
-    std::vector<FilmSample> samples;
-    for (std::size_t k = 0; k < stills.size(); ++k)
-        for (int y = 0; y < scene.height; ++y)
-            for (int x = 0; x < scene.width; ++x)
-                samples.push_back(
-                    {Vec2(x, y) + snapshots[k].at, pixel(stills[k], x, y), snapshots[k].weight});
-    return weighed(samples, scene);
+    return developed(film_of(samples_of(large, scale, Vec2(0.5), 1), scene.sampling.filter,
+                             {0, 0, scene.width, scene.height}),
+                     scene);
 }
 
 Scene scene_of_samples(Scene scene, int scale) {
@@ -135,7 +158,8 @@ Scene scene_of_samples(Scene scene, int scale) {
 PovrayPicture samples_by_povray(const std::string& name, const std::string& text, const Scene& scene,
                                 const fs::path& directory) {
     const double seconds = run_povray(name, text, scene, directory);
-    return {read_image(directory / (name + ".png")), seconds};
+    const fs::path picture = directory / (name + ".png");
+    return {picture, read_image(picture), seconds};
 }
 
 PovrayPicture picture_by_povray(const std::string& name, const std::string& text, const Scene& scene,
@@ -144,13 +168,11 @@ PovrayPicture picture_by_povray(const std::string& name, const std::string& text
     const fs::path picture = directory / (name + ".png");
     if (run.frames > 1) {
         const double seconds = run_povray(name, text, scene, directory);
-        const std::vector<Image> stills = take_frames(name, run.frames, directory);
-        require_not_cut_off(stills, scene);
-        return kept_as_png16(picture, filtered(stills, snapshots_of(scene), scene), seconds);
+        return kept(picture, mean_of_frames(name, run.frames, scene, directory), seconds);
     }
     const PovrayPicture samples = samples_by_povray(name, text, scene, directory);
     if (!run.filter) return samples;
-    return kept_as_png16(picture, filtered(samples.image, run.scale, scene), samples.seconds);
+    return kept(picture, filtered(samples.image, run.scale, scene), samples.seconds);
 }
 
 double povray_startup(const fs::path& directory) {

@@ -23,7 +23,8 @@ struct MissingProgram : InputError {
 void require_povray();
 
 struct PovrayPicture {
-    Image image;
+    std::filesystem::path file;
+    Image image;         ///< as the file has it
     double seconds = 0;  ///< that POV-Ray took
 };
 
@@ -33,9 +34,10 @@ struct PovrayPicture {
 PovrayPicture samples_by_povray(const std::string& name, const std::string& text, const Scene& scene,
                                 const std::filesystem::path& directory);
 
-/// The same with the samples weighed: the picture. Of a blurred scene whose pixels share their samples these
-/// are as many pictures, which are not left there. Throws InputError if one of several is white somewhere,
-/// because the mean of what is cut off there is not what is cut off of the mean.
+/// The same with the samples weighed: the picture. Of a blurred scene these are many pictures, which are not
+/// left there; where it is brighter than white it is NAME.hdr. Throws
+/// InputError if one of several is white somewhere, because the mean of what is cut off there is not what is
+/// cut off of the mean.
 PovrayPicture picture_by_povray(const std::string& name, const std::string& text, const Scene& scene,
                                 const std::filesystem::path& directory);
 
@@ -44,10 +46,6 @@ double povray_startup(const std::filesystem::path& directory);
 
 /// A picture that is `scale` times as large, as samples of the scene's pixels, weighed by its filter.
 Image filtered(const Image& large, int scale, const Scene& scene);
-
-/// Pictures of which each has one sample of every pixel, where its snapshot says, weighed by the scene's
-/// filter.
-Image filtered(std::span<const Image> stills, std::span<const Snapshot> snapshots, const Scene& scene);
 
 /// The scene whose pixels are the samples of this one, `scale` × `scale` a pixel.
 Scene scene_of_samples(Scene scene, int scale);

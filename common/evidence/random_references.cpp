@@ -25,11 +25,14 @@ namespace {
 
 /// Judges by the gate of the tour what a ray each has seen, before a filter makes many pixels of one, and our
 /// picture by what our filter makes of these. Where POV-Ray itself puts its samples together, or each is of a
-/// picture of its own, there are as many decisions as samples, and so often may one be another.
+/// picture of its own, there are as many decisions as samples, and so often may one be another. Where its
+/// picture is but the mean of ours, ours must be as wrong as it says of itself.
 Agreement judge_random(const Scene& scene, const Image& theirs, const PovrayRun& run) {
-    const RenderOptions options{.threads = 1, .progress = {}, .estimate = false};
+    const RenderOptions options{.threads = 1, .progress = {}, .estimate = !run.exact};
     const World world = compile(scene);
-    const Image ours = render(world, options).image;
+    const RenderResult result = render(world, options);
+    const Image& ours = result.image;
+    if (!run.exact) return judge_samples(ours, theirs, result.rms_error.value_or(0));
     if (!run.filter || run.frames > 1) {
         Agreement agreement = judge(ours, theirs, [&] { return decisions(world); });
         const Real samples = static_cast<Real>(ours.pixels.size()) * scene.sampling.count;
@@ -58,6 +61,9 @@ RandomFinding compare_random_scene(const std::string& name, const fs::path& dire
                                         : samples_by_povray(name, text, scene, directory).image;
     const Agreement agreement = judge_random(scene, theirs, run);
     if (agreement.passed) return {};
+    if (agreement.ratio)
+        return {RandomFinding::Differs,
+                fmt::format("its true error is {:.2f} times its estimate of it", *agreement.ratio)};
     return {RandomFinding::Differs,
             fmt::format("{} of {} pixels by up to {:.0f}/65535, {} of them not at silhouettes",
                         agreement.over, theirs.pixels.size(), agreement.greatest, agreement.unexplained)};
@@ -69,7 +75,8 @@ RandomFinding check_random_scene(std::uint64_t number, const fs::path& directory
     try {
         RandomFinding finding = compare_random_scene(name, directory);
         if (finding.state != RandomFinding::Differs)
-            for (const char* ending : {".scene", ".pov", ".png"}) fs::remove(directory / (name + ending));
+            for (const char* ending : {".scene", ".pov", ".png", ".hdr"})
+                fs::remove(directory / (name + ending));
         return finding;
     } catch (const std::exception& error) {
         return {RandomFinding::Differs, error.what()};

@@ -20,10 +20,12 @@ struct Author {
     Random random;
     std::string text{};
     std::string integrator = "raytrace";
-    bool lit = false;  ///< there are lights
-    bool dim = false;  ///< no light may be over 1: samples are averaged, and POV-Ray clamps each
-    Real unit = 1;     ///< of all lengths
-    int depth = 5;     ///< of bounces
+    bool lit = false;      ///< there are lights
+    bool dim = false;      ///< no light may be over 1: samples are averaged, and POV-Ray clamps each
+    bool tame = false;     ///< says little that POV-Ray cannot express
+    bool blurred = false;  ///< there are a lens, motion and lights with an extent
+    Real unit = 1;         ///< of all lengths
+    int depth = 5;         ///< of bounces
     std::size_t vertices = 0;
     std::size_t normals = 0;
 
@@ -74,7 +76,7 @@ void write_picture(Author& a) {
         a.depth = a.chance(0.2) ? 0 : a.whole(1, 8);
         a.line("maxdepth {}", a.depth);
     }
-    if (a.chance(0.1)) a.line("mincontribution {:.3g}", a.uniform(0.001, 0.1));
+    if (a.chance(0.1)) a.line("mincontribution {:.3g}", a.tame ? 0 : a.uniform(0.001, 0.1));
     if (a.chance(0.2)) a.line("accelerator {}", a.one_of({"auto", "none", "grid", "nested"}));
 }
 
@@ -115,7 +117,7 @@ void write_lights(Author& a) {
                    q = a.uniform(0.01, 0.06) / a.unit / a.unit;
         const std::array<Vec3, 6> kinds = {Vec3(1, 0, 0), Vec3(c, l, 0),        Vec3(c, 0, q),
                                            Vec3(0, l, 0), Vec3(0.05 * c, l, q), Vec3(c, l, q)};
-        a.line("attenuation {}", triple(kinds[random_index(a.random, kinds.size())]));
+        a.line("attenuation {}", triple(kinds[random_index(a.random, a.tame ? 5 : kinds.size())]));
         a.line("point {} {}", triple(a.unit * in_box(a, Vec3(-4, 2, 0), Vec3(4, 6, 6))), color(a, power));
     }
 }
@@ -130,13 +132,14 @@ void write_texturing(Author& a, bool had_pictures) {
         a.line("texturewrap {}", of_picture.one_of({"repeat", "mirror", "clamp"}));
     if (has_picture && of_picture.chance(0.5))
         a.line("texturefilter {}",
-               of_picture.one_of({"nearest", "bilinear", "bilinear", "trilinear", "anisotropic"}));
+               a.tame ? of_picture.one_of({"nearest", "bilinear", "bilinear", "bilinear", "bilinear"})
+                      : of_picture.one_of({"nearest", "bilinear", "bilinear", "trilinear", "anisotropic"}));
     a.line("texture {}", has_picture ? "random.png" : "off");
-    a.line("normalmap {}", own.chance(0.03) ? "random.png" : "off");
+    a.line("normalmap {}", own.chance(0.03) && !a.tame ? "random.png" : "off");
     if (a.chance(0.15))
         a.line("{} {} {} {:.5g}",
                a.one_of({"stripes", "rings", "gradient", "stripes", "rings", "gradient", "marble", "wood",
-                         "cells"}),
+                         a.tame ? "wood" : "cells"}),
                color(a, 1), color(a, 1), a.unit * a.uniform(0.2, 1));
     else
         a.line("stripes 1 1 1 1 1 1 1");
@@ -144,8 +147,9 @@ void write_texturing(Author& a, bool had_pictures) {
         a.line("textured {}", a.one_of({"diffuse", "specular diffuse", "transmission", "emission ambient"}));
     else
         a.line("textured ambient diffuse emission");
-    a.line("finish {}",
-           a.chance(0.05) ? a.one_of({"matte", "velvet .3", "metal .4", "coated 1.4"}) : "plain");
+    const bool is_plain = !a.chance(0.05);
+    const auto finish = is_plain ? "plain" : a.one_of({"matte", "velvet .3", "metal .4", "coated 1.4"});
+    a.line("finish {}", a.tame ? "plain" : finish);
     a.line("bumps {} {:.5g}", a.chance(0.03) ? fmt::format("{:.5g}", a.unit * 0.01) : "0", a.unit * 0.1);
 }
 
@@ -169,7 +173,8 @@ void write_material(Author& a, Real glassy) {
     a.line("ambient {}", glass ? "0 0 0" : color(a, 0.4 * bright));
     a.line("emission {}", a.chance(0.2) ? color(a, 0.3 * bright) : "0 0 0");
     a.line("diffuse {}", glass && a.chance(0.8) ? "0 0 0" : color(a, 0.9));
-    a.line("specular {}", a.chance(glass ? 0.25 : 0.4) ? color(a, 0.4) : "0 0 0");
+    const bool mirrors = a.chance(glass ? 0.25 : 0.4) && !(glass && a.tame);
+    a.line("specular {}", mirrors ? color(a, 0.4) : "0 0 0");
     a.line("shininess {:.4g}", a.chance(0.1) ? 0 : std::exp(a.uniform(0, 5)));
     a.line("highlight {}", a.one_of({"blinn", "blinn", "phong"}));
     if (a.chance(0.25))
@@ -179,7 +184,8 @@ void write_material(Author& a, Real glassy) {
     const bool absorbs = a.chance(a.lit ? 0.1 : 0.5);
     a.line("transmission {}", !glass ? "0 0 0" : a.chance(0.5) ? color(a, 1) : "1 1 1");
     a.line("ior {:.4g}", a.chance(0.2) ? 1 : a.uniform(0.7, 2.2));
-    a.line("fresnel {}", a.one_of({"none", "none", "none", "exact", "exact", "exact", "exact", "schlick"}));
+    const auto fresnel = a.one_of({"none", "none", "none", "exact", "exact", "exact", "exact", "schlick"});
+    a.line("fresnel {}", a.tame && fresnel == std::string_view("schlick") ? "exact" : fresnel);
     a.line("absorption {}", glass && absorbs ? triple(in_box(a, Vec3(0), Vec3(1)) / a.unit) : "0 0 0");
 }
 
@@ -360,23 +366,29 @@ void write_plane(Author& a) {
     a.line("plane {} {}", triple(a.unit * point), triple(normal * side * a.uniform(0.5, 2)));
 }
 
-/// What chapter 12 brings, by random numbers of its own. Mostly it says that nothing blurs: what does is
-/// sampled by other points in each pixel, and refused.
-void write_blur(Author& a, std::uint64_t number) {
-    Author b{random_for(number, 1, 0)};
-    if (!b.chance(0.15)) return;
-    const Real blurred = b.chance(0.25) ? a.unit : 0;
-    a.line("lens {:.5g} {:.5g}\naperture {}", 0.1 * blurred, 5 * a.unit, b.one_of({"0", "5", "6 30"}));
-    a.line("shutter {}\ncameramotion {}", b.one_of({"0 0", ".2 .3"}), triple(Vec3(0.1 * blurred, 0, 0)));
-    a.line("lightsamples {}\nlightstratify {}\nlightsampling {}\nlightchoice {}", b.whole(1, 4),
-           b.one_of({"on", "off"}), b.one_of({"angle", "area"}), b.one_of({"all", "one"}));
-    a.line("motion {}\nmotion 0 0 0\ngloss {}\ntranslucency {}", triple(Vec3(0, 0.2 * blurred, 0)),
-           blurred > 0 ? b.one_of({"0", "20"}) : "0", blurred > 0 ? b.one_of({"0", "20"}) : "0");
-    const auto gamma = b.one_of({"1", "2.2"});
-    const Real roughness = b.uniform(0, 1);
-    const auto brdf = b.one_of({"phong", "ggx"});
-    a.line("brdf {}\nroughness {:.5g}\ngamma {}", brdf, blurred > 0 ? roughness : 0, gamma);
-    if (blurred == 0) return;
+/// What chapter 12 brings, by random numbers of its own. Mostly it says that nothing blurs.
+void write_blur(Author& a) {
+    Author b{random_for(a.random.key, 1, 0)};
+    if (!a.blurred && !b.chance(0.12)) return;
+    const Real blurred = a.blurred ? a.unit : 0;
+    a.line("lens {:.5g} {:.5g}", 0.1 * blurred, 5 * a.unit);
+    a.line("aperture {}", b.one_of({"0", "5", "6 30"}));
+    a.line("shutter {}", b.one_of({"0 0", ".2 .3"}));
+    a.line("cameramotion {}", triple(Vec3(0.1 * blurred, 0, 0)));
+    a.line("motion 0 0 0");
+    a.line("lightsamples {}", b.whole(1, 4));
+    a.line("lightstratify {}", b.one_of({"on", "off"}));
+    a.line("lightsampling {}", b.one_of({"angle", "area"}));
+    a.line("lightchoice {}", b.one_of({"all", "one"}));
+    const bool spread = a.blurred && !a.tame;
+    for (const char* word : {"gloss", "translucency"})
+        a.line("{} {}", word, spread ? b.one_of({"0", "20"}) : "0");
+    a.line("brdf {}", b.one_of({"phong", "ggx"}));
+    a.line("roughness {:.5g}", spread ? b.uniform(0, 1) : 0);
+    a.line("gamma {}", b.one_of({"1", "2.2"}));
+    if (!a.blurred) return;
+    a.line("spp 16\nsampler {}",
+           b.one_of({"regular", "trapezoid", "random", "jittered", "poisson", "sobol", "sobol"}));
     const Real u = a.unit;
     a.line("quadLight {} {} {} .1 .1 .1", triple(u * Vec3(-1, 4, 0)), triple(u * Vec3(0, 0, 1)),
            triple(u * Vec3(1, 0, 0)));
@@ -385,6 +397,12 @@ void write_blur(Author& a, std::uint64_t number) {
     a.line("discLight {} 0 -1 0 {:.5g} .1 .1 .1", triple(u * Vec3(3, 4, 0)), 0.5 * u);
     a.line("sphereLight {} {:.5g} .1 .1 .1", triple(u * Vec3(-3, 4, 0)), 0.3 * u);
     a.line("meshLight gem.obj .01 .01 .01");
+}
+
+/// Of a blurred scene about half of the objects move.
+void write_motion(Author& a) {
+    Author own{random_for(a.random.key, a.random.dimension, 3)};
+    if (own.chance(0.5)) a.line("motion {}", triple(a.unit * in_box(own, Vec3(-0.3), Vec3(0.3))));
 }
 
 }  // namespace
@@ -396,17 +414,26 @@ std::string random_scene(std::uint64_t number) {
         const std::vector<std::string_view> names = integrator_names();  // the first is the default
         a.integrator = names[1 + random_index(a.random, names.size() - 1)];
     }
-    a.dim = a.chance(0.25);
+    Author of_kind{random_for(number, 2, 0)};
+    a.tame = of_kind.chance(0.55);
+    a.blurred = of_kind.chance(0.06);
+    if (a.tame && (a.integrator == "direct" || a.integrator == "analyticdirect")) a.integrator = "raytrace";
+    const bool dim = a.chance(0.25);
+    a.dim = dim || a.blurred;
     if (a.chance(0.15)) a.unit = std::pow(10, a.whole(-9, 9));
     write_picture(a);
     if (a.chance(0.15)) write_sky(a);
     write_sampling(a);
     write_lights(a);
-    write_blur(a, number);
+    write_blur(a);
     if (a.chance(0.1)) a.line("maxverts 100\nmaxvertnorms 100");
     if (a.integrator != rasterize_word && a.chance(0.7)) write_plane(a);
     const int count = a.whole(1, 6);
-    for (int i = 0; i < count; ++i) write_object(a);
+    for (int i = 0; i < count; ++i) {
+        if (a.blurred) write_motion(a);
+        write_object(a);
+        if (a.blurred) a.line("motion 0 0 0");
+    }
     return a.text;
 }
 

@@ -39,7 +39,8 @@ std::vector<ReferenceScene> reference_scenes(const Project& project, const Chapt
         scene.name = fs::path(file).stem().string();
         scene.scene = directory / file;
         scene.pov = directory / (scene.name + ".pov");
-        scene.picture = directory / (scene.name + ".png");
+        scene.picture = directory / (scene.name + ".hdr");
+        if (!fs::exists(scene.picture)) scene.picture.replace_extension(".png");
         if (const fs::path why = directory / (scene.name + ".why"); fs::exists(why)) {
             scene.why_none = read_file(why);
             while (scene.why_none.ends_with('\n')) scene.why_none.pop_back();

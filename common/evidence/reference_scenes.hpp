@@ -15,7 +15,7 @@ struct ReferenceScene {
     std::string name{};               ///< of the file, without its ending
     std::filesystem::path scene{};    ///< NAME.scene
     std::filesystem::path pov{};      ///< NAME.pov
-    std::filesystem::path picture{};  ///< NAME.png, 16-bit, linear
+    std::filesystem::path picture{};  ///< NAME.png, 16-bit, linear; or NAME.hdr
     /// What NAME.why says: why there is no reference. Empty: there should be one.
     std::string why_none{};
 };

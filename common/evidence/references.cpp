@@ -85,8 +85,9 @@ void check_scene(ReferenceFinding& finding, const fs::path& directory, double st
     const PovrayPicture made = picture_by_povray(scene.name, text, parsed, directory);
     finding.seconds = std::max(made.seconds - startup, 0.);
     finding.our_seconds = our_time(scene.scene, povray_run(parsed));
+    finding.scene.picture.replace_extension(made.file.extension());
     compare_picture(made.image, finding);
-    if (make) write_changed(finding, text, directory / (scene.name + ".png"));
+    if (make) write_changed(finding, text, made.file);
 }
 
 bool same_bytes(const Vec3& a, const Vec3& b) {

@@ -3,6 +3,7 @@
 
 #include "common/povray/area_lights.hpp"
 #include "common/povray/camera.hpp"
+#include "common/povray/exposure.hpp"
 #include "common/povray/integrators.hpp"
 #include "common/povray/interiors.hpp"
 #include "common/povray/mesh.hpp"
@@ -26,6 +27,11 @@ namespace {
 /// POV-Ray's own limit of max_trace_level.
 constexpr int most_trace_levels = 256;
 
+std::string brightened(const Scene& scene) {
+    const Real exposure = exposure_of(scene);
+    return exposure == 1 ? "" : fmt::format(", times {}", 1 / exposure);
+}
+
 std::string comments_of(const Scene& scene) {
     const std::filesystem::path file(scene.file);
     const PovrayRun run = povray_run(scene);
@@ -39,8 +45,8 @@ std::string comments_of(const Scene& scene) {
         text += fmt::format("// then {0} × {0} of its pixels are one of ours, weighed by our filter\n",
                             run.scale);
     else if (run.frames > 1)
-        text += fmt::format("// then a pixel's samples are those of {} pictures, weighed by our filter\n",
-                            run.frames);
+        text += fmt::format("// then a pixel's samples are those of {} pictures, weighed by our filter{}\n",
+                            run.frames, brightened(scene));
     else if (run.filter)
         text += "// then its pixels are weighed by our filter\n";
     return text;
@@ -91,13 +97,14 @@ void write_objects(Writer& out) {
 }
 
 /// All that the snapshot shows.
-std::string text_of(const Scene& scene, const Snapshot& snapshot) {
+std::string text_of(const Scene& scene, Real exposure, Snapshot snapshot) {
     const Expression& expression = expression_of(scene);
     const Scene still = still_of(scene, snapshot);
     refuse_other_optics(still);
     if (may_bounce(scene)) refuse_other_eye(scene, still);
     const Real factor = factor_for(still);
-    const Scene here = scaled(still, factor);
+    const Scene here = scaled(exposed(still, exposure), factor);
+    for (FacingLight& light : snapshot.lights) light.color *= exposure;
     Writer out{.scene = here, .snapshot = snapshot, .factor = factor};
     write_factor(out);
     write_settings(out);
@@ -114,17 +121,16 @@ std::string text_of(const Scene& scene, const Snapshot& snapshot) {
 
 std::string export_povray(const Scene& scene, std::span<const Snapshot> snapshots) {
     expression_of(scene);  // or there is no use in asking further
-    if (is_blurred(scene)) {
-        if (const std::string_view why = why_no_snapshots(scene); !why.empty()) refuse(scene, why);
-        if (snapshots.size() != static_cast<std::size_t>(scene.sampling.count))
-            throw std::invalid_argument("export_povray: a blurred scene has as many snapshots as samples");
-    }
+    if (const int count = snapshot_count(scene);
+        count > 0 && snapshots.size() != static_cast<std::size_t>(count))
+        throw std::invalid_argument("export_povray: these are not the snapshots of the scene");
+    const Real exposure = exposure_of(scene);
     std::string text = comments_of(scene);
     if (snapshots.size() <= 1)
-        return text + text_of(scene, snapshots.empty() ? Snapshot() : snapshots.front());
+        return text + text_of(scene, exposure, snapshots.empty() ? Snapshot() : snapshots.front());
     text += "#version 3.7;\n#switch (frame_number)\n";  // it wants the version before all else
     for (std::size_t k = 0; k < snapshots.size(); ++k)
-        text += fmt::format("#case ({})\n{}#break\n", k, text_of(scene, snapshots[k]));
+        text += fmt::format("#case ({})\n{}#break\n", k, text_of(scene, exposure, snapshots[k]));
     return text + "#end\n";
 }
 

@@ -16,8 +16,9 @@ namespace rt {
 /// farther than 1e4, all lengths are multiplied by a power of two, because POV-Ray's tolerances are lengths.
 /// Throws InputError with the object's `file:line:column` and the reason for what POV-Ray cannot express.
 ///
-/// `snapshots`: those of a blurred scene (snapshots_of in common/render/snapshots.hpp), as many as it has
-/// samples if its pixels share them; else none. Several become the frames of an animation.
+/// `snapshots`: those of the scene (snapshots_of in common/render/snapshots.hpp); none of one that is not
+/// blurred. Several become the frames of an animation, whose light is the scene's times its exposure
+/// (common/povray/exposure.hpp).
 std::string export_povray(const Scene& scene, std::span<const Snapshot> snapshots = {});
 
 }  // namespace rt

@@ -7,6 +7,7 @@
 #include "common/povray/optics.hpp"
 #include "common/povray/placement.hpp"
 #include "common/scene/cut_open.hpp"
+#include "common/scene/snapshot.hpp"
 
 #include <fmt/format.h>
 
@@ -182,7 +183,8 @@ void refuse_other_optics(const Scene& scene) {
         refuse_material(scene, object);
         refuse_glass_shape(scene, object);
     }
-    if (integrator.area_lights && !scene.area_lights.empty() && has_bounces(scene))
+    // Of the mean of many samples the points may be the same.
+    if (integrator.area_lights && !scene.area_lights.empty() && has_bounces(scene) && shares_samples(scene))
         refuse(scene, scene.area_lights.front(),
                "an extent in a scene with bounces, each of which has points of its own: say 'maxdepth 0'");
     if (scene.sky && absorbs(scene)) refuse(scene, "absorption under a sky of more than one colour");

@@ -23,9 +23,9 @@ PovrayRun povray_run(const Scene& scene) {
     const bool box = sampling.filter.kind == FilterKind::Box && sampling.filter.radius == 0.5;
     const int count = sampling.count;
     if (scene.visibility == Visibility::Rasterize) return {};
+    if (const int snapshots = snapshot_count(scene); snapshots > 1)
+        return {.options = {}, .filter = true, .exact = shares_samples(scene), .frames = snapshots};
     if (count == 1) return {1, {}, !box, true};
-    if (is_blurred(scene) && why_no_snapshots(scene).empty())
-        return {.options = {}, .filter = true, .frames = count};
     switch (sampling.sampler) {
         case Sampler::Regular:
             if (const int side = root_of(count); side * side == count) return {side, {}, true, true};

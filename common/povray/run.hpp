@@ -21,7 +21,7 @@ struct PovrayRun {
 /// threshold 0, take the trapezoid rule's samples of 2^k cells a side, and centered samples. Random samples
 /// it cannot repeat: then a picture 8 × 8 times as large, with 2 × 2 samples and one more in each of its
 /// pixels, tells their mean. (8 × 8 alone were more wrong than the pictures that they judged.) Of a blurred
-/// scene whose pixels share their samples each snapshot is a picture (common/scene/snapshot.hpp).
+/// scene each snapshot is a picture (common/scene/snapshot.hpp).
 PovrayRun povray_run(const Scene& scene);
 
 }  // namespace rt

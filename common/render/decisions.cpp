@@ -14,15 +14,20 @@ void mix(std::uint64_t& hash, std::uint64_t value) { hash = mixed(hash, value); 
 
 /// The decision that is the same all over the pixel; if there is none, one that no other pixel has.
 std::uint64_t decision_of_pixel(const World& world, int x, int y) {
-    const auto decided_at = [&](const Vec2& at) {
-        return decision(world, trace_tree(world, camera_ray(world, CameraSample{{x + at.x, y + at.y}})));
+    const auto decided_by = [&](const CameraSample& sample) {
+        return decision(world, trace_tree(world, camera_ray(world, sample)));
     };
-    const std::uint64_t middle = decided_at(Vec2(0.5));
+    const std::uint64_t middle = decided_by({{x + 0.5, y + 0.5}});
     if (!world.needs.samples) return middle;
+    Stream stream = stream_of(world, x, y);
     for (int j = 0; j <= 8; ++j)
-        for (int i = 0; i <= 8; ++i)
-            if (decided_at(Vec2(i, j) / Real(8)) != middle)
+        for (int i = 0; i <= 8; ++i, ++stream.sample) {
+            Stream own = stream;
+            const Vec2 at = Vec2(x, y) + Vec2(i, j) / Real(8);
+            // Of a blurred picture, also at other times and places of the lens.
+            if (decided_by(camera_sample(world, at, own)) != middle)
                 return mixed(mixed(middle, static_cast<std::uint64_t>(x)), static_cast<std::uint64_t>(y));
+        }
     return middle;
 }
 

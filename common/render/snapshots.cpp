@@ -1,4 +1,4 @@
-// The snapshots of which a picture of shared samples is the mean.
+// The snapshots of which a blurred picture is the mean.
 #include "common/render/snapshots.hpp"
 
 #include "chapters/12_distribution/area_light.hpp"
@@ -35,21 +35,23 @@ Vec2 place_on(const Lens& lens, const Vec2& random) {
 }  // namespace
 
 std::vector<Snapshot> snapshots_of(const Scene& scene) {
-    if (!is_blurred(scene) || !why_no_snapshots(scene).empty()) return {};
+    const int count = snapshot_count(scene);
+    if (count == 0) return {};
     const World world = compile(scene);
-    const int count = scene.sampling.count;
-    const Patterns patterns =
-        patterns_for(world, count == 1 ? Sampler::Regular : scene.sampling.sampler, count);
+    const bool shared = shares_samples(scene);
+    const Sampler own = count == 1 ? Sampler::Regular : scene.sampling.sampler;
+    const Patterns patterns = patterns_for(world, shared ? own : Sampler::Sobol, count);
+    // What each place asks of its own, all are asked together.
+    const LightSamples samples = shared ? scene.light_samples : LightSamples{.count = 1};
     Stream stream = stream_of(world, patterns, 0, 0, 0, count);
     std::vector<Snapshot> snapshots;
     for (const PixelSample& sample : pattern_of(world, patterns, 0, 0, 0, count)) {
-        Stream own = stream;
+        Stream numbers = stream;
         ++stream.sample;
-        const CameraSample camera = camera_sample(world, sample.at, own);
+        const CameraSample camera = camera_sample(world, sample.at, numbers);
         Snapshot snapshot{.at = sample.at, .weight = sample.weight, .time = camera.time};
         if (world.needs.lens) snapshot.lens = place_on(world.blur.lens, camera.lens);
-        for (const AreaLight& light : world.area_lights.lights)
-            add_points(snapshot, light, world.area_lights.samples, own);
+        for (const AreaLight& light : world.area_lights.lights) add_points(snapshot, light, samples, numbers);
         snapshots.push_back(std::move(snapshot));
     }
     return snapshots;

@@ -38,17 +38,19 @@ bool is_blurred(const Scene& scene) {
            (integrator.area_lights && !scene.area_lights.empty());
 }
 
-std::string_view why_no_snapshots(const Scene& scene) {
+bool shares_samples(const Scene& scene) {
     const Sampler sampler = scene.sampling.sampler;
     if (sampler != Sampler::Regular && sampler != Sampler::Trapezoid && sampler != Sampler::Centered)
-        return "a lens, motion or lights with an extent whose samples differ from pixel to pixel: "
-               "say 'sampler regular'";
-    if (scene.area_lights.empty() || !row_of(scene.integrator).area_lights) return "";
-    if (scene.light_samples.how != LightSampling::Area)
-        return "points of lights that are chosen by the angle under which each place sees them: say "
-               "'lightsampling area'";
-    if (!scene.light_samples.all) return "lights of which each place asks another one: say 'lightchoice all'";
-    return "";
+        return false;
+    if (scene.area_lights.empty() || !row_of(scene.integrator).area_lights) return true;
+    return scene.light_samples.how == LightSampling::Area && scene.light_samples.all;
+}
+
+int snapshot_count(const Scene& scene) {
+    if (!is_blurred(scene)) return 0;
+    if (shares_samples(scene)) return scene.sampling.count;
+    const auto lights = static_cast<int>(std::max<std::size_t>(scene.area_lights.size(), 1));
+    return std::clamp(4096 / lights, 64, 128);
 }
 
 Scene scene_at(Scene scene, Real time) {

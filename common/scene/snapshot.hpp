@@ -1,10 +1,9 @@
-// A blurred picture is the mean of still ones: what one sample of each pixel sees, if all pixels share their
-// samples.
+// A blurred picture is the mean of still ones: exactly, if all pixels share their samples, of what one sample
+// of each sees.
 #pragma once
 
 #include "common/scene/scene.hpp"
 
-#include <string_view>
 #include <vector>
 
 namespace rt {
@@ -18,7 +17,7 @@ struct FacingLight {
     Vec3 color{0};
 };
 
-/// What sample number k of every pixel sees.
+/// What one sample of every pixel sees.
 struct Snapshot {
     Vec2 at{0.5};     ///< place in the pixel, as a PixelSample has it
     Real weight = 1;  ///< as a PixelSample's
@@ -31,9 +30,14 @@ struct Snapshot {
 /// at.
 bool is_blurred(const Scene& scene);
 
-/// Why a blurred picture's pixels do not share their samples; empty if they do. Then it is the weighed mean
-/// of as many snapshots as it has samples a pixel.
-std::string_view why_no_snapshots(const Scene& scene);
+/// Whether all pixels of a blurred scene share their samples, and all places the points of its lights. Then
+/// its picture is the weighed mean of as many snapshots as it has samples a pixel; else the mean of many
+/// snapshots at random is what its picture is but for their errors.
+bool shares_samples(const Scene& scene);
+
+/// How many snapshots show a blurred scene: its samples if pixels share them, else 128, or so many fewer,
+/// down to 64, that no more than 4096 points of lights are asked. None of one that is not blurred.
+int snapshot_count(const Scene& scene);
 
 /// The scene as it is at a time: objects and eye where they are then, and nothing that moves. Its lens and
 /// its area lights are as they were.

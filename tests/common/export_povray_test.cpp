@@ -1,5 +1,6 @@
 // The export for POV-Ray: statements that mean the same there, and plain words where there are none.
 #include "common/povray/export.hpp"
+#include "common/povray/exposure.hpp"
 #include "common/render/snapshots.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
@@ -480,8 +481,10 @@ TEST_CASE("how POV-Ray makes a picture of several samples a pixel", "[export]") 
         CHECK(run(std::string(text) + "spp 8\nsampler regular").options.empty());
         CHECK(run(std::string(text) + "spp 8\nsampler regular").exact);
         CHECK(run(std::string(text) + "spp 8\nsampler regular").filter);
-        CHECK(run(text).frames == 1);
-        CHECK(run(text).exact);
+        CHECK(run(std::string(text) + "sampler regular").frames == 1);
+        CHECK(run(std::string(text) + "sampler regular").exact);
+        // Of samples that differ from pixel to pixel many pictures tell the mean.
+        CHECK(run(std::string(text) + "spp 8").frames == 128);
         CHECK_FALSE(run(std::string(text) + "spp 8").exact);
     }
     CHECK(run("spp 8\nsampler regular\nmotion 0 0 0\nsphere 0 0 0 1\nlens 0 4").frames == 1);
@@ -627,7 +630,36 @@ TEST_CASE("a blurred picture is an animation, a frame a sample", "[export]") {
     CHECK(count_of(exported(shared + "lens .1 4\nsphere 0 0 0 1\n"), "camera {") == 1);
 }
 
-TEST_CASE("what pixels do not share is refused, with the word that helps", "[export]") {
+TEST_CASE("what pixels do not share is exported as many stills that tell its mean", "[export]") {
+    const std::string lamp = "lightchoice one\ndiscLight 0 2 0  0 -1 0  .5  10 5 1\n";
+    const std::string text = exported("ambient .5 .5 .5\nbackground .25 0 0\n" + lamp + "sphere 0 0 0 1\n");
+    INFO(text.substr(0, 2000));
+    // So dark that the lamp is 1/4 at most: 10/64. Its points are brighter than it is.
+    CHECK(contains(text,
+                   "+KFF127\n// then a pixel's samples are those of 128 pictures, weighed by our filter, "
+                   "times 64\n"));
+    CHECK(count_of(text, "camera {") == 128);
+    CHECK(count_of(text, "light_source") == 128);
+    CHECK(numbers_after(text, "background { rgb ").at(0) == Approx(0.25 / 64));
+    CHECK(numbers_after(text, "disc { <0, 2, 0>, <0, -1, 0>, 0.5 texture { pigment { rgb ").at(0) ==
+          Approx(10. / 64));
+    // Radiance times area over pi, as a spotlight of reach 1e-6 has it.
+    CHECK(numbers_after(text.substr(text.find("light_source")), " rgb ").at(0) ==
+          Approx(10. / 64 * 0.25 / 2 * 1e12));
+}
+
+TEST_CASE("what shows no light is not made darker, nor are exact stills", "[export]") {
+    const auto exposure = [](const std::string& text) {
+        return exposure_of(
+            parse_scene_text(head + text + "lens .1 4\nbackground 9 0 0\nsphere 0 0 0 1\n", "s"));
+    };
+    CHECK(exposure("spp 4\n") == 1. / 64);
+    CHECK(exposure("spp 4\nsampler regular\n") == 1);
+    CHECK(exposure("integrator directions\nspp 4\n") == 1);
+    CHECK(exposure_of(parse_scene_text(std::string(head) + "background 9 0 0\n", "s")) == 1);
+}
+
+TEST_CASE("what no still shows is refused, with the word that helps", "[export]") {
     const std::string no_scene = "small.scene: POV-Ray cannot express this scene: ";
     const std::string light = shared + "discLight 0 2 0  0 -1 0  .5  1 1 1\n",
                       ball = "diffuse 1 1 1\nsphere 0 0 0 1\n";
@@ -637,15 +669,11 @@ TEST_CASE("what pixels do not share is refused, with the word that helps", "[exp
         CHECK(error.starts_with(where));
         CHECK(contains(error, what));
     };
-    refused("spp 4\nlens .1 4\n", no_scene, "'sampler regular'");
-    refused("lens .1 4\n", no_scene, "'sampler regular'");
-    refused("spp 4\nsampler sobol\ncameramotion 1 0 0\n", no_scene, "'sampler regular'");
-    refused(light, no_scene, "'lightsampling area'");
-    refused("lightsampling area\nlightchoice one\n" + light, no_scene, "'lightchoice all'");
     refused("integrator direct\n" + light, no_scene, "physical");
     refused("lightsampling area\nspecular 1 1 1\n" + ball + light,
             "small.scene:9:1: POV-Ray cannot express this light: ", "'maxdepth 0'");
     CHECK(error_of("lightsampling area\nmaxdepth 0\nspecular 1 1 1\n" + ball + light).empty());
+    CHECK(error_of("specular 1 1 1\n" + ball + light).empty());  // a mean of many
     CHECK(error_of("lightsampling area\n" + ball + light).empty());
     CHECK(error_of(shared + "lens .1 4\nspecular 1 1 1\n" + ball).empty());
     refused("gloss 50\nspecular 1 1 1\n" + ball,

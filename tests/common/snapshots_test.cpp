@@ -32,7 +32,7 @@ constexpr auto lamp = "lightsampling area\nquadLight -1 3 -1  0 0 2  2 0 0  1 1 
 
 }  // namespace
 
-TEST_CASE("only what blurs, and shares its samples, has snapshots", "[snapshots]") {
+TEST_CASE("only what blurs has snapshots: its samples, or many", "[snapshots]") {
     const std::string regular = "spp 4\nsampler regular\n";
     CHECK(snapshots(lines(regular, ball)).empty());
     CHECK(snapshots(lines(regular, "lens 0 4\nmotion 0 0 0\n", ball)).empty());
@@ -45,15 +45,42 @@ TEST_CASE("only what blurs, and shares its samples, has snapshots", "[snapshots]
         CHECK(snapshots(lines("spp 16\nsampler trapezoid\n", text, ball)).size() == 16);
         CHECK(snapshots(lines("spp 10\nsampler centered\n", text, ball)).size() == 10);
         CHECK(snapshots(lines("sampler regular\n", text, ball)).size() == 1);
-        CHECK(snapshots(lines(text, ball)).empty());
+        CHECK(shares_samples(scene_of(lines(regular, text, ball))));
+        CHECK(snapshots(lines(text, ball)).size() == 128);
         for (const char* sampler : {"random", "jittered", "poisson", "sobol"}) {
             const std::string other = fmt::format("spp 4\nsampler {}\n{}{}", sampler, text, ball);
-            CHECK(snapshots(other).empty());
-            CHECK_FALSE(why_no_snapshots(scene_of(other)).empty());
+            CHECK(snapshots(other).size() == 128);
+            CHECK_FALSE(shares_samples(scene_of(other)));
         }
     }
-    CHECK(snapshots(lines(regular, lamp, "lightsampling angle\n", ball)).empty());
-    CHECK(snapshots(lines(regular, lamp, "lightchoice one\n", ball)).empty());
+    for (const char* own : {"lightsampling angle\n", "lightchoice one\n"}) {
+        CHECK(snapshots(lines(regular, lamp, own, ball)).size() == 128);
+        CHECK_FALSE(shares_samples(scene_of(lines(regular, lamp, own, ball))));
+    }
+}
+
+TEST_CASE("of many lights there are fewer snapshots, each with all of them", "[snapshots]") {
+    const auto count = [](int lights) {
+        std::string text = ball;
+        for (int i = 0; i < lights; ++i) text += fmt::format("sphereLight {} 5 0 .1 1 1 1\n", i);
+        return snapshot_count(scene_of(text));
+    };
+    CHECK(count(16) == 128);
+    CHECK(count(40) == 102);
+    CHECK(count(1000) == 64);
+    const auto all = snapshots(
+        lines("lightchoice one\nlightsamples 4\n", lamp, "quadLight -1 4 -1  0 0 2  2 0 0  1 1 1\n", ball));
+    REQUIRE(all.size() == 128);
+    // One point of each, that is all of its light.
+    Real x = 0;
+    for (const Snapshot& one : all) {
+        REQUIRE(one.lights.size() == 2);
+        CHECK(one.lights[0].color.x == Approx(4 / pi));
+        CHECK(one.lights[0].point.y == Approx(3));
+        CHECK(one.lights[1].point.y == Approx(4));
+        x += one.lights[0].point.x * one.lights[1].point.x;
+    }
+    CHECK(std::abs(x / 128) < 0.05);  // where one is says nothing of where the other is
 }
 
 TEST_CASE("snapshots spread over the pixel, the lens, the time and the lights", "[snapshots]") {
