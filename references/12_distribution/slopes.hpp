@@ -299,6 +299,9 @@ inline Svg curves(const Errors& errors) {
     panel(60, "smooth, 2 dimensions", 4);
     panel(380, "sum of smooth, 4", 8);
     panel(700, "smooth, 4", 6);
+    SvgFont upwards = middle(note);
+    upwards.turn = -90;
+    text(svg, {14, 160}, "RMS error", upwards);
     Real x = 150;
     for (const std::size_t m : {0u, 1u, 2u, 4u}) {
         text(svg, {x, 350}, method_names[m], colored(small, colors[m]));
