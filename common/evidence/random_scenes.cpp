@@ -387,6 +387,30 @@ void write_blur(Author& a, std::uint64_t number) {
     a.line("meshLight gem.obj .01 .01 .01");
 }
 
+/// A turn about any axis, by more than one turn at times.
+void write_turn(Author& b, Author& to) {
+    const Vec3 axis = in_box(b, Vec3(-1), Vec3(1));
+    to.line("spin {} {:.5g}", triple(axis), b.uniform(-400, 400));
+}
+
+/// Things that turn, by random numbers of their own. In most scenes nothing does.
+void write_spin(Author& a, std::uint64_t number) {
+    Author b{random_for(number, 2, 0)};
+    if (!b.chance(0.1)) return;
+    if (a.integrator == rasterize_word || b.chance(0.5)) return a.line("spin 0 1 0 0");
+    a.line("pushTransform\ntranslate {}", triple(a.unit * in_box(b, Vec3(-1), Vec3(1))));
+    write_turn(b, a);
+    if (b.chance(0.4)) a.line("motion {}", triple(a.unit * in_box(b, Vec3(-0.3), Vec3(0.3))));
+    const Vec3 low = in_box(b, Vec3(-0.5), Vec3(-0.1)), high = in_box(b, Vec3(0.1), Vec3(0.5));
+    a.line("box {} {}", triple(a.unit * low), triple(a.unit * high));
+    if (b.chance(0.4)) a.line("translate {}", triple(a.unit * in_box(b, Vec3(-1), Vec3(1))));
+    if (b.chance(0.4)) write_turn(b, a);
+    if (b.chance(0.4)) a.line("scale {}", triple(in_box(b, Vec3(0.5), Vec3(1.5))));
+    const Vec3 center = in_box(b, Vec3(-0.3), Vec3(0.3));
+    a.line("sphere {} {:.5g}\npopTransform\nmotion 0 0 0", triple(a.unit * center),
+           a.unit * b.uniform(0.1, 0.4));
+}
+
 }  // namespace
 
 std::string random_scene(std::uint64_t number) {
@@ -403,6 +427,7 @@ std::string random_scene(std::uint64_t number) {
     write_sampling(a);
     write_lights(a);
     write_blur(a, number);
+    write_spin(a, number);
     if (a.chance(0.1)) a.line("maxverts 100\nmaxvertnorms 100");
     if (a.integrator != rasterize_word && a.chance(0.7)) write_plane(a);
     const int count = a.whole(1, 6);
