@@ -1,5 +1,6 @@
 // Motion blur: when light comes in, and how a ray sees what moves meanwhile.
-// The lesson uses the same letters: o and c for how long the shutter opens and closes, A for all the light.
+// The lesson uses the same letters: o and c for how long the shutter opens and closes, A for all the light, θ
+// for an angle, and r for how far the farthest corner is from the center.
 #include "chapters/12_distribution/motion.hpp"
 
 #include "common/math/error.hpp"
