@@ -191,6 +191,11 @@ inline std::string show(const Transform& transform) { return "transform" + show(
 
 inline std::string show(const Bounds& bounds) { return show(Box{bounds.low, bounds.high}); }
 
+inline std::string show(const Spin& spin) {
+    return "spin by " + show(spin.angle) + " about the line through " + show(spin.center) + " along " +
+           show(spin.axis);
+}
+
 inline std::string show(const Roots& roots) {
     if (roots.count == 0) return "no roots";
     if (roots.count == 1) return "one root: t0 = " + show(roots.t0) + ", t1 = " + show(roots.t1);

@@ -4,6 +4,7 @@
 #include "common/math/ray.hpp"
 #include "common/scene/lens.hpp"
 #include "common/world/bounds.hpp"
+#include "common/world/spin.hpp"
 
 namespace rt {
 
@@ -35,5 +36,32 @@ Ray seen_while_moving(const Ray& ray, const Vec3& motion);
 /// (What seen_while_moving rounds depends on how far away the ray starts; like all that a ray rounds, that is
 /// for the margin of the grid.)
 Bounds bounds_while_moving(const Bounds& bounds, const Vec3& motion);
+
+/// [12.21] The ray as a thing sees it that turns by `spin`: seen from there everything else turns the other
+/// way, the ray's origin and direction alike. The time is the ray's to the bit.
+///
+/// So the thing need not turn: what the ray hits of it, as it stood at time 0, is hit at the same t as the
+/// ray hits the thing where it is at ray.time. Where ray.time · spin.angle is 0, it is the ray itself, to the
+/// bit. Else, with the angle ray.time · spin.angle as it is rounded to a Real, each coordinate of the origin
+/// is off by at most gamma(64) of |ray.origin| + |spin.center|, and of the direction by gamma(64) of
+/// |ray.direction|, short of underflow.
+Ray seen_while_turning(const Ray& ray, const Spin& spin);
+
+/// [12.22] The least and the greatest of x·cos θ + y·sin θ for all θ from 0 to `angle`, which is finite and
+/// may be negative, and more than one turn. Both within gamma(16) of |x| + |y|, short of underflow.
+Interval arc_range(Real x, Real y, Real angle);
+
+/// [12.22] A box around all places of a thing that has the box `bounds` at time 0 and turns by `spin`. Both
+/// are finite, or the box is empty, with low > high along some axis; then it is returned as it is.
+///
+/// It surely contains the whole arcs of the box's corners, from 0 to spin.angle, as exact arithmetic has
+/// them, short of underflow: its faces are moved outwards by more than rounding can be wrong. None of them is
+/// farther out than the arcs reach by more than gamma(256) of |spin.center| + r, where r is how far the
+/// farthest corner is from spin.center.
+///
+/// (What contains the corners at any time contains the whole box then. A round thing may need less. If all of
+/// it moves besides, bounds_while_moving of this box is around it, and often larger than need be: it has room
+/// for each angle of the turn at each part of the way.)
+Bounds bounds_while_turning(const Bounds& bounds, const Spin& spin);
 
 }  // namespace rt

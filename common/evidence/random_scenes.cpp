@@ -375,7 +375,7 @@ void write_blur(Author& a) {
     a.line("aperture {}", b.one_of({"0", "5", "6 30"}));
     a.line("shutter {}", b.one_of({"0 0", ".2 .3"}));
     a.line("cameramotion {}", triple(Vec3(0.1 * blurred, 0, 0)));
-    a.line("motion 0 0 0");
+    a.line("motion 0 0 0\nspin 0 1 0 0");
     a.line("lightsamples {}", b.whole(1, 4));
     a.line("lightstratify {}", b.one_of({"on", "off"}));
     a.line("lightsampling {}", b.one_of({"angle", "area"}));
@@ -399,10 +399,12 @@ void write_blur(Author& a) {
     a.line("meshLight gem.obj .01 .01 .01");
 }
 
-/// Of a blurred scene about half of the objects move.
+/// Of a blurred scene about half of the objects move, and half turn.
 void write_motion(Author& a) {
     Author own{random_for(a.random.key, a.random.dimension, 3)};
     if (own.chance(0.5)) a.line("motion {}", triple(a.unit * in_box(own, Vec3(-0.3), Vec3(0.3))));
+    const Vec3 axis = in_box(own, Vec3(-1), Vec3(1));
+    if (own.chance(0.5)) a.line("spin {} {:.5g}", triple(axis), own.chance(0.2) ? 400 : own.uniform(-60, 60));
 }
 
 }  // namespace
@@ -432,7 +434,7 @@ std::string random_scene(std::uint64_t number) {
     for (int i = 0; i < count; ++i) {
         if (a.blurred) write_motion(a);
         write_object(a);
-        if (a.blurred) a.line("motion 0 0 0");
+        if (a.blurred) a.line("motion 0 0 0\nspin 0 1 0 0");
     }
     return a.text;
 }

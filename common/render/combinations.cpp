@@ -173,6 +173,10 @@ Real crossings_of(const Moving& moving) {
     return std::visit([](const auto& shape) { return crossings_of(shape); }, moving.shape);
 }
 
+Real crossings_of(const Turning& turning) {
+    return std::visit([](const auto& shape) { return crossings_of(shape); }, turning.shape);
+}
+
 Real crossings_of(const Combination& tree) {
     Real sum = 0;
     for (const Combination::Part& part : tree.parts)

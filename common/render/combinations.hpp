@@ -36,5 +36,6 @@ Real crossings_of(const Shape&) {
 Real crossings_of(const Instance& instance);
 Real crossings_of(const Combination& tree);
 Real crossings_of(const Moving& moving);
+Real crossings_of(const Turning& turning);
 
 }  // namespace rt

@@ -10,6 +10,7 @@
 #include "common/render/eye_inside.hpp"
 #include "common/render/object_limits.hpp"
 #include "common/render/primitives.hpp"
+#include "common/scene/moves.hpp"
 #include "common/scene/range.hpp"
 
 #include <fmt/core.h>
@@ -140,9 +141,8 @@ void compile_camera(const Scene& scene, World& world) {
     world.blur.lens = scene.lens, world.blur.shutter = scene.shutter, world.blur.motion = scene.camera_motion;
     Needs& needs = world.needs;
     needs.lens = scene.lens.radius > 0;
-    const auto moves = [](const Object& object) { return !is_zero(object.motion); };
-    needs.motion = !is_zero(scene.camera_motion) ||
-                   (row_of(scene.integrator).objects && std::ranges::any_of(scene.objects, moves));
+    needs.motion =
+        !is_zero(scene.camera_motion) || (row_of(scene.integrator).objects && anything_moves(scene));
     needs.blur = needs.lens || needs.motion;
 }
 

@@ -209,8 +209,8 @@ std::vector<std::string> chapters_of(const Scene& scene, const World& world) {
                         for (const Combination::Part& part : tree.parts)
                             std::visit([&]<class Part>(const Part&) { add_chapters<Part>(chapters); },
                                        part.solid);
-                if constexpr (std::is_same_v<Shape, Moving>)
-                    for (const Moving& moving : group.shapes)
+                if constexpr (std::is_same_v<Shape, Moving> || std::is_same_v<Shape, Turning>)
+                    for (const Shape& moving : group.shapes)
                         std::visit([&]<class One>(const One&) { add_chapters<One>(chapters); }, moving.shape);
             },
             any);

@@ -150,6 +150,11 @@ inline Surface surface_in(const World& world, const Group<Moving>& group, std::u
     return surface_at(group.shapes[index], ray, hit, world.needs.uvs);
 }
 
+inline Surface surface_in(const World& world, const Group<Turning>& group, std::uint32_t index,
+                          const Ray& ray, const Hit& hit) {
+    return surface_at(group.shapes[index], ray, hit, world.needs.uvs);
+}
+
 /// The group of a world that has no other; it must be of this shape. It holds all the primitives in the order
 /// of the file, so that an index into the group is one into world.primitives.
 template <class Shape>

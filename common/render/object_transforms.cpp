@@ -15,6 +15,9 @@
 namespace rt {
 namespace {
 
+/// More would be nothing but a mistake of the program that wrote the file.
+constexpr std::size_t most_turns = 100;
+
 /// The matrix's inverse; a matrix without one, or out of range, is an error at this step of the file.
 Mat4 checked_inverse(const Scene& scene, const TransformNode& node, const Mat4& m) {
     const auto complain = [&](std::string_view what) {
@@ -48,6 +51,7 @@ ObjectTransforms::ObjectTransforms(const Scene& of) : scene(of) {
         is_turned = is_turned || std::holds_alternative<Rotate>(node.step);
         factor.push_back(same);
         turned.push_back(is_turned);
+        spin.push_back(node.spin != 0 ? static_cast<int>(spin.size()) : node.parent >= 0 ? spin[parent] : -1);
     }
 }
 
@@ -69,6 +73,30 @@ std::optional<Real> ObjectTransforms::similarity(const Object& object) const {
 
 bool ObjectTransforms::turns(const Object& object) const {
     return object.transform >= 0 && turned[static_cast<std::size_t>(object.transform)];
+}
+
+int ObjectTransforms::last_spin(const Object& object) const {
+    return object.transform < 0 ? -1 : spin[static_cast<std::size_t>(object.transform)];
+}
+
+std::vector<Spin> ObjectTransforms::turns_until(int last_spin) const {
+    std::vector<Spin> turns;
+    for (int i = last_spin; i >= 0;) {
+        const auto own = static_cast<std::size_t>(i);
+        const TransformNode& node = scene.transforms[own];
+        if (turns.size() == most_turns)
+            refuse(scene, node.place, fmt::format("more than {} turns, one inside the other", most_turns));
+        if (!factor[own])
+            refuse(scene, node.place,
+                   "a turn under a scale that is not the same along all axes: let 'scale' follow 'spin'");
+        const Mat4& m = matrix[own];
+        const Vec3 axis = transform_vector(m, unit(std::get<Rotate>(node.step).axis));
+        // In a mirror it goes the other way.
+        turns.push_back({Vec3(m[3]), unit(axis), glm::determinant(Mat3(m)) < 0 ? -node.spin : node.spin});
+        i = node.parent < 0 ? -1 : spin[static_cast<std::size_t>(node.parent)];
+    }
+    std::ranges::reverse(turns);
+    return turns;
 }
 
 /// How much longer the longest half-axis of a ball's image is than the shortest; too much by a factor of 3 at

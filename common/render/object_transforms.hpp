@@ -26,12 +26,21 @@ public:
     /// Whether the object's transform turns or mirrors directions.
     bool turns(const Object& object) const;
 
+    /// The last step of the object's transform that turns while the shutter is open, as an index into
+    /// Scene::transforms; −1 where none does.
+    int last_spin(const Object& object) const;
+
+    /// That step and those before it that turn, where they are at time 0, in the order of the file. Throws
+    /// InputError with the place of one that is no turn, because lengths are not scaled all alike before it.
+    std::vector<Spin> turns_until(int last_spin) const;
+
 private:
     const Scene& scene;
     std::vector<Mat4> matrix;                  ///< these are a node of the scene's tree each
     std::vector<std::optional<Mat4>> inverse;  ///< of those that were asked for
     std::vector<std::optional<Real>> factor;
     std::vector<bool> turned;
+    std::vector<int> spin;  ///< as last_spin
 };
 
 /// How much longer the longest half-axis of a ball's image is than the shortest; too much by a factor of 3 at

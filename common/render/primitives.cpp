@@ -62,6 +62,7 @@ struct PrimitiveBuilder {
         for (const Object& one : scene.objects) {
             object = &one;
             transform = transforms.of(one);
+            spin = last_spin(one);
             std::visit([&](const auto& shape) { add(shape); }, one.shape);
         }
         object = nullptr;
@@ -153,21 +154,43 @@ struct PrimitiveBuilder {
                (!world.normal_maps.empty() && world.normal_maps[object->material].image);
     }
 
-    bool moves() const { return object->motion != Vec3(0); }
+    bool moves() const { return object->motion != Vec3(0) || spin >= 0; }
 
-    /// Appends a shape that moves as its object does.
+    /// The last step of the object's transform that turns, which is the same for all parts of a combination;
+    /// −1 if none does.
+    int last_spin(const Object& of) const {
+        const auto* whole = std::get_if<CombinationObject>(&of.shape);
+        if (!whole) return transforms.last_spin(of);
+        const int first = last_spin(scene.parts[whole->parts.front()]);
+        for (const std::uint32_t part : whole->parts)
+            if (last_spin(scene.parts[part]) != first)
+                refuse(scene, scene.parts[part].place,
+                       "the parts of one solid turn together: say 'spin' before the solid, not in it");
+        return first;
+    }
+
+    /// Appends a shape that moves or turns as its object does.
     template <class Shape>
     void append_moving(Shape shape) {
         if constexpr (std::is_constructible_v<Still, Shape>) {
-            Moving moving{object->motion, std::move(shape)};
-            const Bounds box = bounds_of(moving);
-            limits().check_place(box.low);
-            limits().check_place(box.high);
-            append(std::get<Group<Moving>>(groups), std::move(moving));
+            if (spin < 0)
+                append_bounded(Moving{object->motion, std::move(shape)});
+            else
+                append_bounded(Turning{transforms.turns_until(spin), object->motion, std::move(shape)});
         } else {
-            limits().fail("this " + std::string(words_of(object->shape).name) +
-                          " has no end, and so it cannot move: say 'motion 0 0 0' before it");
+            const std::string shown = "this " + std::string(words_of(object->shape).name);
+            limits().fail(spin < 0
+                              ? shown + " has no end, and so it cannot move: say 'motion 0 0 0' before it"
+                              : shown + " has no end, and so it cannot turn: say 'popTransform' before it");
         }
+    }
+
+    template <class Shape>
+    void append_bounded(Shape moving) {
+        const Bounds box = bounds_of(moving);
+        limits().check_place(box.low);
+        limits().check_place(box.high);
+        append(std::get<Group<Shape>>(groups), std::move(moving));
     }
 
     /// A shape that stands in the file as it stands in the world.
@@ -364,7 +387,8 @@ struct PrimitiveBuilder {
     std::vector<std::uint32_t> bodies;  ///< as Bodies::of
 
     const Object* object = nullptr;      ///< the one being added,
-    std::optional<Transform> transform;  ///< and its transform
+    std::optional<Transform> transform;  ///< its transform,
+    int spin = -1;                       ///< and, as last_spin, its turns
 
     Combination* tree = nullptr;      ///< whose parts are being added, if any are,
     bool part_is_taken_away = false;  ///< and on which side of it the part is

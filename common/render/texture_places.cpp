@@ -55,6 +55,14 @@ TexturePoint texture_point_at(const World& world, const Ray& ray, const Hit& hit
                 const Vec3 point = surface.point - ray.time * moving.motion;
                 return std::visit([&](const auto& shape) { return on_shape(shape, point, hit); },
                                   moving.shape);
+            } else if constexpr (std::is_same_v<Shape, Turning>) {
+                const Turning& turning = group.shapes[primitive.index];
+                const Vec3 point = seen_by(turning, {surface.point, ray.direction, ray.time}).origin;
+                TexturePoint place =
+                    std::visit([&](const auto& shape) { return on_shape(shape, point, hit); }, turning.shape);
+                place.du = turned(turning, place.du, ray.time),
+                place.dv = turned(turning, place.dv, ray.time);
+                return place;
             } else {
                 return on_shape(group.shapes[primitive.index], surface.point, hit);
             }

@@ -115,6 +115,8 @@ constexpr Synonym commands[] = {
     {"blades", "aperture"},
     {"velocity", "motion"},
     {"motionBlur", "motion"},
+    {"angularVelocity", "spin"},
+    {"turn", "rotate' or 'spin"},
     {"glossiness", "gloss"},
 };
 

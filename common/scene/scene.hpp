@@ -102,9 +102,10 @@ using TransformStep = std::variant<Translate, Rotate, Scale>;
 
 /// The transforms of a file form a tree: each node multiplies one step on the right of its parent's.
 struct TransformNode {
-    int parent = -1;  ///< index into Scene::transforms; −1 is the identity
-    TransformStep step;
+    int parent = -1;     ///< index into Scene::transforms; −1 is the identity
+    TransformStep step;  ///< at time 0
     SourcePlace place;
+    Real spin = 0;  ///< of a Rotate: by how much its angle grows, evenly, while the shutter is open; radians
 };
 
 /// One object of the file, with the material and transform in force where it stands. A combination has no

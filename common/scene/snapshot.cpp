@@ -1,12 +1,10 @@
 // Which scenes are the mean of still ones, and what these look like.
 #include "common/scene/snapshot.hpp"
 
-#include <algorithm>
+#include "common/scene/moves.hpp"
 
 namespace rt {
 namespace {
-
-bool moves(const Object& object) { return object.motion != Vec3(0); }
 
 /// The node whose matrix is that of `node` after a move in world space.
 int moved_node(Scene& scene, int node, const Vec3& by, const SourcePlace& place) {
@@ -34,7 +32,7 @@ bool is_blurred(const Scene& scene) {
     if (scene.visibility == Visibility::Rasterize) return false;
     const IntegratorRow& integrator = row_of(scene.integrator);
     return scene.lens.radius > 0 || scene.camera_motion != Vec3(0) ||
-           (integrator.objects && std::ranges::any_of(scene.objects, moves)) ||
+           (integrator.objects && anything_moves(scene)) ||
            (integrator.area_lights && !scene.area_lights.empty());
 }
 
@@ -56,8 +54,10 @@ int snapshot_count(const Scene& scene) {
 Scene scene_at(Scene scene, Real time) {
     scene.camera.eye += time * scene.camera_motion, scene.camera.look_at += time * scene.camera_motion;
     scene.camera_motion = Vec3(0);
+    for (TransformNode& node : scene.transforms)
+        if (auto* turn = std::get_if<Rotate>(&node.step)) turn->angle += time * node.spin, node.spin = 0;
     for (Object& object : scene.objects) {
-        if (!moves(object)) continue;
+        if (object.motion == Vec3(0)) continue;
         const Vec3 by = time * object.motion;
         object.motion = Vec3(0);
         move(scene, object, by);

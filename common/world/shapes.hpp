@@ -3,6 +3,7 @@
 
 #include "common/scene/shapes.hpp"
 #include "common/world/bounds.hpp"
+#include "common/world/spin.hpp"
 
 #include <array>
 #include <cstddef>
@@ -82,6 +83,13 @@ struct Moving {
     Still shape;     ///< where it is at time 0
 };
 
+/// A shape that turns while the shutter is open, and may move.
+struct Turning {
+    std::vector<Spin> spins;  ///< where they are at time 0; each turns with those before it
+    Vec3 motion{0};           ///< of the whole, as in Moving
+    Still shape;              ///< where it is at time 0
+};
+
 template <class... Shape>
 struct List {};
 
@@ -95,7 +103,7 @@ struct List {};
 ///     list.
 using Shapes = List<Plane, Sphere, Triangle, Polygon, Ellipsoid, Instance, Placed<Plane>, Box, Placed<Box>,
                     Disc, Placed<Disc>, Cone, Placed<Cone>, OpenCone, Placed<OpenCone>, Torus, Placed<Torus>,
-                    Implicit, Placed<Implicit>, Quadric, Placed<Quadric>, Combination, Moving>;
+                    Implicit, Placed<Implicit>, Quadric, Placed<Quadric>, Combination, Moving, Turning>;
 
 /// What messages call a shape, whose code it runs, what it costs, and what holds of every one.
 struct ShapeWords {
@@ -198,6 +206,12 @@ inline constexpr ShapeWords words<Moving>{.one = "moving shape",
                                           .steps = {"12.8", "12.9"},
                                           .ask = 3,
                                           .crossings = as_many_as_it_likes};
+template <>
+inline constexpr ShapeWords words<Turning>{.one = "turning shape",
+                                           .many = "turning shapes",
+                                           .steps = {"12.8", "12.9", "12.21"},
+                                           .ask = 8,
+                                           .crossings = as_many_as_it_likes};
 
 /// The bytes that a shape owns beside its own. One that owns memory says here, or in its chapter's contract,
 /// how much.
@@ -222,6 +236,10 @@ inline std::size_t owned_bytes(const Combination& combination) {
 
 inline std::size_t owned_bytes(const Moving& moving) {
     return std::visit([](const auto& shape) { return owned_bytes(shape); }, moving.shape);
+}
+inline std::size_t owned_bytes(const Turning& turning) {
+    return turning.spins.size() * sizeof(Spin) +
+           std::visit([](const auto& shape) { return owned_bytes(shape); }, turning.shape);
 }
 
 }  // namespace rt

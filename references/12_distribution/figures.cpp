@@ -355,8 +355,9 @@ void draw_all(const Path& out) {
     write_file(out / "small_lamps.csv", small_lamps());
     write_file(out / "facets.csv", facets());
     write_costs(out);
-    draw_scenes(out, __FILE__,
-                {"billiards", "soft_shadow", "lamps", "lanterns", "focus", "moving", "gloss", "frosted"});
+    draw_scenes(
+        out, __FILE__,
+        {"billiards", "soft_shadow", "lamps", "lanterns", "focus", "moving", "turning", "gloss", "frosted"});
     draw_with_gamma(out, {"analytic", "direct"});
 }
 

@@ -1,10 +1,15 @@
 // Motion blur: when light comes in, and how a ray sees what moves meanwhile.
-// The lesson uses the same letters: o and c for how long the shutter opens and closes, A for all the light.
+// The lesson uses the same letters: o and c for how long the shutter opens and closes, A for all the light, θ
+// for an angle, and r for how far the farthest corner is from the center.
 #include "chapters/12_distribution/motion.hpp"
+
+#include "common/math/error.hpp"
 
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rt {
@@ -42,6 +47,70 @@ Bounds bounds_while_moving(const Bounds& bounds, const Vec3& motion) {
         all.high[axis] = std::nextafter(all.high[axis], infinity);
     }
     return all;
+    // [/exercise]
+}
+
+Ray seen_while_turning(const Ray& ray, const Spin& spin) {
+    // [exercise 12.21] Where the thing is at ray.time, it has turned by a part of the angle. Turn the ray's
+    // origin, as seen from the center, and its direction back by as much: by Rodrigues' formula, step 04.2.
+    // Written as what is added to a vector, the turn by nothing adds nothing, and all bits stay.
+    const Real angle = ray.time * spin.angle, sine = std::sin(angle), lost = 1 - std::cos(angle);
+    const auto added = [&](const Vec3& v) {
+        const Vec3 side = cross(spin.axis, v);
+        return lost * cross(spin.axis, side) - sine * side;
+    };
+    return {ray.origin + added(ray.origin - spin.center), ray.direction + added(ray.direction), ray.time};
+    // [/exercise]
+}
+
+Interval arc_range(Real x, Real y, Real angle) {
+    // [exercise 12.22] Over θ this is a cosine curve. How high does it go, and at which angle between 0 and
+    // 2π? Where is it lowest? What is not reached before `angle` does not count, but the two ends do. A turn
+    // the other way is the mirror image of this one: −y for y.
+    if (angle < 0) return arc_range(x, -y, -angle);
+    const Real end = x * std::cos(angle) + y * std::sin(angle), radius = std::hypot(x, y);
+    const Real direction = std::atan2(y, x), peak = direction < 0 ? direction + 2 * pi : direction;
+    const Real valley = direction + pi;
+    return {valley <= angle ? -radius : std::min(x, end), peak <= angle ? radius : std::max(x, end)};
+    // [/exercise]
+}
+
+namespace {
+
+/// The eight corners of a box, as seen from the center. Given.
+std::array<Vec3, 8> corners_from(const Vec3& center, const Bounds& bounds) {
+    std::array<Vec3, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const bool right = (i & 1) != 0, upper = (i & 2) != 0, front = (i & 4) != 0;
+        corners[i] = Vec3(right ? bounds.high.x : bounds.low.x, upper ? bounds.high.y : bounds.low.y,
+                          front ? bounds.high.z : bounds.low.z) -
+                     center;
+    }
+    return corners;
+}
+
+}  // namespace
+
+Bounds bounds_while_turning(const Bounds& bounds, const Spin& spin) {
+    // [exercise 12.22] Each corner turns on an arc, center + along + across·cos θ + side·sin θ, where `along`
+    // is the part of the corner along the axis, which stays. Join the ranges of all arcs, coordinate by
+    // coordinate. At last move the faces outwards by gamma(64) of |center| + r: that is more than all that
+    // was rounded. Leave an empty box alone.
+    if (glm::any(glm::lessThan(bounds.high, bounds.low))) return bounds;
+    Bounds all;
+    Real r = 0;
+    for (const Vec3& corner : corners_from(spin.center, bounds)) {
+        r = std::max(r, length(corner));
+        const Vec3 along = dot(spin.axis, corner) * spin.axis, middle = spin.center + along;
+        const Vec3 across = corner - along, side = cross(spin.axis, corner);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Interval arc = arc_range(across[axis], side[axis], spin.angle);
+            all.low[axis] = std::min(all.low[axis], middle[axis] + arc.min);
+            all.high[axis] = std::max(all.high[axis], middle[axis] + arc.max);
+        }
+    }
+    const Real rounding = gamma(64) * (length(spin.center) + r);
+    return {all.low - rounding, all.high + rounding};
     // [/exercise]
 }
 

@@ -1,9 +1,13 @@
 // Pictures through a lens, of what moves, and under lights with an extent: what chapter 12 brings to a scene.
+#include "chapters/12_distribution/motion.hpp"
 #include "common/render/compile.hpp"
+#include "common/render/explain.hpp"
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
+#include "common/world/query.hpp"
 #include "tests/catch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -40,7 +44,7 @@ TEST_CASE("what does not blur costs nothing and changes no bit", "[blur]") {
     const std::string spp = GENERATE("", "spp 4\n", "spp 4\nsampler regular\n");
     const Image plain = picture(spp + things);
     for (const char* nothing : {"lens 0 5\n", "aperture 5\n", "cameramotion 0 0 0\n", "motion 0 0 0\n",
-                                "shutter .5 .5\n", "gloss 10\n", "lightsamples 9\n"}) {
+                                "spin 1 2 3 0\n", "shutter .5 .5\n", "gloss 10\n", "lightsamples 9\n"}) {
         INFO(spp << nothing);
         const World world = world_of(spp + nothing + things);
         CHECK_FALSE(world.needs.blur);
@@ -96,6 +100,138 @@ TEST_CASE("moving things of all kinds are where they would stand at that time", 
         CHECK(different <= 2);
         CHECK_FALSE(same(still, picture(lamp + thing)));
     }
+}
+
+TEST_CASE("turning things have the same bits in a grid and without", "[blur]") {
+    std::string things = "diffuse .6 .5 .4\n";
+    for (int i = 0; i < 40; ++i) {
+        const std::string turns = std::to_string(i % 7 * 60 - 150);
+        things += "motion " + std::to_string(i % 3 * 0.2) + " 0 0\npushTransform\ntranslate " +
+                  std::to_string(i % 8 * 0.4 - 1.4) + " " + std::to_string(i / 8 * 0.3) + " " +
+                  std::to_string(i % 7 * -0.3) + "\nspin " + std::to_string(i % 4 - 1) + " 1 0.5 " + turns +
+                  "\n";
+        if (i % 5 == 0) things += "translate .3 0 0\nspin 0 1 0 -400\n";
+        things += i % 2 == 0 ? "box -.05 -.1 -.02  .25 .1 .06\n" : "cone 0 0 0 .1  .2 .1 0 0\n";
+        things += "popTransform\n";
+    }
+    const std::string lamp = "spp 4\ndirectional 1 2 2  1 1 1\nquadLight -1 3 0  0 0 1  1 0 0  5 5 5\n";
+    const Image none = picture("accelerator none\n" + lamp + things);
+    for (const char* grid : {"accelerator grid\n", "accelerator nested\n"})
+        CHECK(same(none, picture(grid + lamp + things)));
+}
+
+TEST_CASE("turning things of all kinds are where they would stand at that time", "[blur]") {
+    // As above, but turned; half of the time is half of the turn.
+    const std::string lamp = "spp 1\nsampler regular\ndirectional 1 2 2  1 1 1\ndiffuse .8 .7 .6\n";
+    for (const char* thing :
+         {"sphere .3 .5 0 .5\n", "box -.5 0 -.5  .5 1 .5\n", "disc 0 .5 0  0 .3 1  .6\n",
+          "cylinder 0 0 0  0 1 0 .4\n", "cone 0 0 0 .5  0 1 0 0\n", "torus 0 .5 0  0 1 .4  .5 .15\n",
+          "openCylinder 0 0 0  0 1 0 .4\n", "vertex -1 0 0\nvertex 1 0 0\nvertex 0 1 .2\ntri 0 1 2\n",
+          "vertex -1 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex -1 1 0\npolygon 0 1 2 3\n",
+          "vertexnormal -1 0 0 -1 0 1\nvertexnormal 1 0 0 1 0 1\nvertexnormal 0 1 0 0 1 1\n"
+          "trinormal 0 1 2\n",
+          "intersection\nsphere 0 .5 0 .5\nbox -.4 0 -.4  .4 .9 .4\nend\n",
+          "quadric 1 2 3 0 0 0 0 -1 0 0  -1 -1 -1  1 2 1\n",
+          "translate 0 .5 0\nrotate 1 1 0 30\nscale .5 .3 .4\nsphere 0 0 0 1\n"}) {
+        INFO(thing);
+        const auto scene = [&](const std::string& first, const std::string& second,
+                               const std::string& inner) {
+            return lamp + first + "translate .2 .1 -.2\n" + second + "translate .1 0 0\n" + inner + thing;
+        };
+        const Image turning = picture(scene("motion .2 0 -.2\n", "spin 0 1 2 70\n", "spin 1 0 0 -30\n"));
+        const Image still = picture(scene("translate .1 0 -.1\n", "rotate 0 1 2 35\n", "rotate 1 0 0 -15\n"));
+        int different = 0;
+        for (std::size_t i = 0; i < still.pixels.size(); ++i)
+            different += length(turning.pixels[i] - still.pixels[i]) > 1e-9;
+        CHECK(different <= 2);
+        CHECK_FALSE(same(still, picture(scene("", "", ""))));
+    }
+}
+
+TEST_CASE("in a mirror a turn goes the other way, and a larger thing turns as a small one", "[blur]") {
+    const std::string lamp = "spp 1\nsampler regular\ndirectional 1 2 2  1 1 1\ndiffuse .8 .7 .6\n";
+    for (const char* scale : {"scale -1 1 1\n", "scale 2 2 2\n", "scale .5 -.5 -.5\n", "scale -2 -2 -2\n"}) {
+        INFO(scale);
+        const std::string box = "box -.2 0 -.1  .4 .7 .1\n";
+        const Image turning = picture(lamp + scale + "spin 0 1 2 70\n" + box);
+        const Image still = picture(lamp + scale + "rotate 0 1 2 35\n" + box);
+        int different = 0;
+        for (std::size_t i = 0; i < still.pixels.size(); ++i)
+            different += length(turning.pixels[i] - still.pixels[i]) > 1e-9;
+        CHECK(different <= 2);
+    }
+}
+
+TEST_CASE("at time 0 a turning thing is the thing at rest to the bit", "[blur]") {
+    const std::string where = "diffuse .7 .7 .7\ntranslate .1 .2 .3\n",
+                      thing = "scale .3 .4 .5\nsphere 0 0 0 1\n";
+    const World still = world_of(where + thing), turning = world_of(where + "spin 1 2 3 500\n" + thing);
+    for (const Real x : {-0.1, 0.0, 0.2, 0.35}) {
+        const Ray ray{{x, 0.25, 5}, {0, 0.01, -1}, 0};
+        const auto hit = closest_hit(still, ray, {}), same_hit = closest_hit(turning, ray, {});
+        REQUIRE(hit);
+        REQUIRE(same_hit);
+        CHECK(hit->t == same_hit->t);
+        CHECK(surface_at(still, ray, *hit).point == surface_at(turning, ray, *same_hit).point);
+        CHECK(surface_at(still, ray, *hit).normal == surface_at(turning, ray, *same_hit).normal);
+    }
+}
+
+TEST_CASE("a turning thing throws no shadow on itself where it faces the light", "[blur]") {
+    // Far from its axis and from the origin, at many angles. The ball is lit all over, the lamp is at the
+    // eye.
+    const std::string text =
+        "size 20 20\ncamera 1000 0 5  1000 0 0  0 1 0  20\nspp 16\npoint 1000 0 5  1 1 1\n"
+        "ambient 0 0 0\ndiffuse 1 1 1\ntranslate 1000 0 0\nspin 1 1 1 36000\n";
+    const auto dark = [&](const std::string& things) {
+        const Image image = render(compile(parse_scene_text(text + things, "far.scene"))).image;
+        const Image bright =
+            render(compile(parse_scene_text("shadows off\n" + text + things, "far.scene"))).image;
+        int count = 0;
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            count += length(image.pixels[i] - bright.pixels[i]) > 1e-12;
+        return count;
+    };
+    CHECK(dark("sphere 0 0 0 1\n") == 0);
+    CHECK(dark("rotate 1 2 3 40\nbox -1 -.8 -.9  .9 .7 .6\n") == 0);
+    CHECK(dark("scale .001 .001 .001\nbox -1000 -800 -900  900 700 600\n") == 0);
+}
+
+TEST_CASE("what turns is said, and nothing else pays for it", "[blur]") {
+    const auto kept = [](const std::string& text) {
+        const Scene scene = parse_scene_text(view + text, "blur.scene");
+        std::string all;
+        for (const auto& one : explain(scene, compile(scene)).kept) all += one.what + "\n";
+        return all;
+    };
+    CHECK_THAT(kept("spin 0 0 1 90\nsphere 1 0 0 1\n"), Catch::Contains("1 turning shape\n"));
+    CHECK_THAT(kept("pushTransform\nspin 0 0 1 90\nsphere 1 0 0 1\npopTransform\nmotion 1 0 0\n"
+                    "sphere 0 0 0 1\n"),
+               Catch::Contains("1 moving shape\n"));
+    CHECK_THAT(kept("pushTransform\nspin 0 0 1 90\npopTransform\nsphere 0 0 0 1\n"),
+               Catch::Contains("1 sphere\n") && !Catch::Contains("a time for each ray"));
+}
+
+TEST_CASE("what cannot turn is refused with its place", "[blur]") {
+    const auto refused = [](const std::string& text, const std::string& message) {
+        INFO(text);
+        CHECK_THROWS_WITH(world_of(text), Catch::Contains(message));
+    };
+    refused("spin 0 0 1 90\nplane 0 0 0  0 1 0\n", "blur.scene:4:1: this plane has no end");
+    refused("scale 1 2 1\nspin 0 0 1 90\nsphere 0 0 0 1\n", "blur.scene:4:1: a turn under a scale");
+    refused("union\nspin 0 0 1 90\nsphere 0 0 0 1\nspin 0 0 1 90\nsphere 1 0 0 1\nend\n",
+            "blur.scene:7:1: the parts of one solid turn together");
+    refused(
+        "spin 0 0 1 90\nunion\nsphere 0 0 0 1\nunion\nsphere 0 0 0 1\nspin 1 0 0 5\nsphere 1 0 0 1\n"
+        "end\nend\n",
+        "blur.scene:9:1: the parts of one solid turn together");
+    refused("spin 0 0 0 90\nsphere 0 0 0 1\n", "blur.scene:3:6: ");
+    std::string many;
+    for (int i = 0; i < 101; ++i) many += "spin 0 0 1 1\n";
+    refused(many + "sphere 0 0 0 1\n", "more than 100 turns");
+    // What turns as one may be a solid; a plane may be a part of it.
+    CHECK_NOTHROW(world_of("spin 0 0 1 90\nintersection\nsphere 0 0 0 1\nplane 0 0 0  0 1 0\nend\n"));
+    CHECK_NOTHROW(world_of("spin 0 0 1 90\nscale 1 2 3\nsphere 0 0 0 1\n"));
 }
 
 TEST_CASE("an endless plane does not move", "[blur]") {
@@ -195,4 +331,51 @@ TEST_CASE("a bar that moves across a pixel covers it as long as it takes", "[blu
     CHECK(pixel(image, 0, 1).x == Approx(5. / 6).margin(0.03));
     CHECK(pixel(image, 1, 1).x == Approx(0.5).margin(0.03));
     CHECK(pixel(image, 2, 1).x == Approx(1. / 6).margin(0.03));
+}
+
+TEST_CASE("a bar that turns is seen as long as it is there, at any distance from its end", "[blur]") {
+    // A bar .2 wide turns about its end by a right angle. At the distance r from there and in the direction φ
+    // it is there while its own direction is nearer to φ than asin(.1/r). The shutter says how much light
+    // comes in meanwhile.
+    const World world = world_of("rotate 0 1 0 180\nspin 0 0 -1 90\nbox -2 -.1 -.1  0 .1 .1\n");
+    const int count = 2000;
+    for (const Shutter& shutter : {Shutter{0, 0}, Shutter{0.25, 0.5}, Shutter{0, 1}})
+        for (const Real r : {0.2, 0.5, 1.0, 1.9})
+            for (const Real degrees : {0.0, 10.0, 45.0, 71.0, 90.0}) {
+                const Real phi = radians(degrees), half = std::asin(0.1 / r);
+                int seen = 0;
+                for (int i = 0; i < count; ++i) {
+                    const Real time = shutter_time(shutter, (i + 0.5) / count);
+                    seen +=
+                        occluded(world, {{r * std::cos(phi), r * std::sin(phi), 5}, {0, 0, -1}, time}, {});
+                }
+                const auto light_until = [&](Real t) {
+                    t = std::clamp(t, Real(0), Real(1));
+                    const Real rise = shutter.opening, fall = shutter.closing;
+                    Real light = std::clamp(t, rise, 1 - fall) - rise;
+                    if (rise > 0) light += std::min(t, rise) * std::min(t, rise) / (2 * rise);
+                    const Real late = std::max(t - (1 - fall), Real(0));
+                    if (late > 0) light += late - late * late / (2 * fall);
+                    return light / (1 - rise / 2 - fall / 2);
+                };
+                const Real expected =
+                    light_until((phi + half) / (pi / 2)) - light_until((phi - half) / (pi / 2));
+                INFO("shutter " << shutter.opening << " " << shutter.closing << ", at the distance " << r
+                                << ", at " << degrees << " degrees");
+                // Of evenly spread numbers at most one at either end is on the wrong side.
+                CHECK(std::abs(static_cast<Real>(seen) / count - expected) <= 1.0 / count);
+            }
+}
+
+TEST_CASE("where a rolling wheel touches the floor it stands still", "[blur]") {
+    // A mark on the rim, .01 in size, at the lowest point: it leaves that as the cube and the square of the
+    // angle, .3/2 at most. One at the highest point goes twice as far as the hub.
+    const auto blur = [](const char* mark) {
+        const Image image = picture(
+            "spp 64\northographic 4\nambient 1 1 1\nmotion .3 0 0\ntranslate 0 1 0\n"
+            "spin 0 0 1 -17.188733853924695\nsphere 0 " +
+            std::string(mark) + " 0 .2\n");
+        return std::ranges::count_if(image.pixels, [](const Vec3& p) { return p.x > 0.01 && p.x < 0.99; });
+    };
+    CHECK(blur("1") > 2 * blur("-1"));
 }

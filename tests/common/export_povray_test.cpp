@@ -575,6 +575,13 @@ TEST_CASE("what moves is exported where it is at a time", "[export]") {
     CHECK(contains(text, "sphere { <0, 0, 0>, 4 matrix <2, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0> texture"));
     CHECK(contains(still("motion 0 0 1\nintersection\nsphere 0 0 0 1\nsphere 1 0 0 1\nend\n", {.time = 0.25}),
                    "sphere { <1, 0, 0>, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.25>"));
+    // A quarter of a whole turn, about (3, 0, 0), and then a quarter of the way.
+    const std::string turned =
+        still("motion 0 0 4\ntranslate 3 0 0\nspin 0 0 1 360\nsphere 1 0 0 1\n", {.time = 0.25});
+    INFO(turned);
+    const std::vector<Real> m = numbers_after(turned, "matrix");
+    const std::vector<Real> expected{0, 1, 0, -1, 0, 0, 0, 0, 1, 3, 0, 1};
+    for (std::size_t i = 0; i < expected.size(); ++i) CHECK(m.at(i) == Approx(expected[i]).margin(1e-12));
 }
 
 TEST_CASE("a point of an area light is a spotlight whose power of the cosine is 1", "[export]") {

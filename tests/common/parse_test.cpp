@@ -652,6 +652,14 @@ TEST_CASE("what blurs is stored, and refused where it means nothing") {
     REQUIRE(scene.objects.size() == 2);
     CHECK(scene.objects[0].motion == Vec3(0, 1, 0));
     CHECK(scene.objects[1].motion == Vec3(0));
+    CHECK(scene.transforms.empty());
+    const Scene turning = parse("spin 0 0 2 720\nspin 0 1 0 0\nsphere 0 0 0 1\nrotate 0 0 1 90\n");
+    REQUIRE(turning.transforms.size() == 2);  // what never turns is no step
+    CHECK(turning.objects[0].transform == 0);
+    CHECK(std::get<Rotate>(turning.transforms[0].step).angle == 0);
+    CHECK(std::get<Rotate>(turning.transforms[0].step).axis == Vec3(0, 0, 2));
+    CHECK(turning.transforms[0].spin == Approx(4 * pi));
+    CHECK(turning.transforms[1].spin == 0);
     const auto finish = [&](std::size_t i) {
         return scene.finishes[static_cast<std::size_t>(scene.materials[scene.objects[i].material].finish)];
     };

@@ -37,9 +37,11 @@ TEST_CASE("only what blurs has snapshots: its samples, or many", "[snapshots]") 
     CHECK(snapshots(lines(regular, ball)).empty());
     CHECK(snapshots(lines(regular, "lens 0 4\nmotion 0 0 0\n", ball)).empty());
     CHECK(snapshots(lines(regular, "motion 1 0 0\n")).empty());  // nothing that moves
+    CHECK(snapshots(lines(regular, "pushTransform\nspin 1 0 0 9\npopTransform\n", ball)).empty());
     CHECK(snapshots(lines(regular, "integrator flat\n", lamp, ball)).empty());
     CHECK(snapshots(lines(regular, "integrator directions\nmotion 1 0 0\n", ball)).empty());
-    for (const std::string text : {"lens .1 4\n", "cameramotion 1 0 0\n", "motion 1 0 0\n", lamp}) {
+    for (const std::string text :
+         {"lens .1 4\n", "cameramotion 1 0 0\n", "motion 1 0 0\n", "spin 0 1 0 9\n", lamp}) {
         INFO(text);
         CHECK(snapshots(lines(regular, text, ball)).size() == 4);
         CHECK(snapshots(lines("spp 16\nsampler trapezoid\n", text, ball)).size() == 16);
@@ -119,8 +121,10 @@ TEST_CASE("a scene at a time is still, and is what the renderer sees then", "[sn
         "background .1 .2 .3\n"
         "diffuse .5 .6 .7\nmotion .5 .25 0\nsphere 0 0 0 1\ntranslate 1 0 0\nrotate 0 0 1 30\nbox -1 -1 -2  "
         "0 0 -1\n"
-        "motion 0 -.5 0\nunion\nsphere -1 0 0 .5\nbox 0 0 0  .5 .5 2\nend\nmotion 0 0 0\nplane 0 -1 0  0 1 "
-        "0\n";
+        "motion 0 -.5 0\nunion\nsphere -1 0 0 .5\nbox 0 0 0  .5 .5 2\nend\nmotion 0 0 0\n"
+        "pushTransform\nspin 1 2 3 50\nbox .2 .2 .2  1 .7 2\ntranslate 0 1 0\nspin 0 0 1 400\n"
+        "union\nsphere 0 0 0 .3\nbox 0 0 0  1 .1 .1\nend\npopTransform\n"
+        "plane 0 -1 0  0 1 0\n";
     const Scene scene = scene_of(commands);
     const Image blurred = render(compile(scene)).image;
     Image mean = make_image(8, 6);

@@ -195,6 +195,12 @@ TEST_CASE("what moves takes its picture along") {
         // So little that no pixel's centre sees another texel.
         const Image moving = picture_with(look + corners + "motion 1e-9 0 0\n" + shape);
         CHECK(test::differing(still, moving, 1e-6) <= 1);
+        const Image turning = picture_with(look + corners + "spin 0 0 1 1e-7\n" + shape);
+        CHECK(test::differing(still, turning, 1e-6) <= 1);
+        // A whole turn, of which one sample sees the half.
+        const std::string half = "spp 1\nsampler regular\n" + look + corners;
+        CHECK(test::differing(picture_with(half + "spin 0 0 1 360\n" + shape),
+                              picture_with(half + "rotate 0 0 1 180\n" + shape), 1e-6) <= 1);
     }
 }
 

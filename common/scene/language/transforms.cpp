@@ -16,6 +16,15 @@ void add_rotation(Parser& parser) {
     add_transform(parser, Rotate{axis, radians(number(parser, 4))});
 }
 
+/// At time 0 it turns by nothing; what never turns is no step.
+void add_spin(Parser& parser) {
+    const Vec3 axis = direction(parser, 1, "the axis of a spin");
+    const Real angle = radians(number(parser, 4));
+    if (angle == 0) return;
+    add_transform(parser, Rotate{axis, 0});
+    parser.scene.transforms.back().spin = angle;
+}
+
 void add_scaling(Parser& parser) {
     const Vec3 by = vec3(parser, 1);
     for (std::size_t i = 0; i < 3; ++i)
@@ -38,6 +47,12 @@ const CommandRow rows[] = {
       "Likewise by a rotation about the axis (x, y, z), counterclockwise as seen from the axis's tip.", "04"},
      add_rotation},
     {{"scale", "x y z", "Likewise by a scaling; no factor may be 0.", "04"}, add_scaling},
+    {{"spin", "x y z degrees",
+      "Multiply the current transform on the right by a `rotate` whose angle grows evenly, from 0 at time 0 "
+      "to this at time 1, which may be more turns than one. What was said before it is where the axis is, "
+      "and scales all lengths alike; `motion` moves the whole.",
+      "12"},
+     add_spin},
     {{"pushTransform", "", "Remember the current transform.", "04"},
      [](Parser& p) { p.transform_stack.push_back(p.transform); }},
     {{"popTransform", "", "Return to the transform remembered last.", "04"}, pop_transform},
