@@ -144,6 +144,9 @@ void write_texturing(Author& a, bool had_pictures) {
         a.line("textured {}", a.one_of({"diffuse", "specular diffuse", "transmission", "emission ambient"}));
     else
         a.line("textured ambient diffuse emission");
+    if (own.chance(0.1))
+        a.line("textured {}", own.one_of({"gloss translucency", "roughness", "diffuse gloss roughness",
+                                          "finish coat", "shininess translucency"}));
     a.line("finish {}",
            a.chance(0.05) ? a.one_of({"matte", "velvet .3", "metal .4", "coated 1.4"}) : "plain");
     a.line("bumps {} {:.5g}", a.chance(0.03) ? fmt::format("{:.5g}", a.unit * 0.01) : "0", a.unit * 0.1);

@@ -47,7 +47,7 @@ void multiply(Material& m, const ColorsOf& colors, const Vec3& factor) {
     if (colors.transmission) m.transmission *= factor;
     if (colors.absorption) m.absorption *= factor;
     if (colors.shininess) m.shininess *= factor.x;
-    if (colors.finish) m.finish_factor *= static_cast<float>(factor.x);
+    m.finish_factor = static_cast<float>(factor.x);
 }
 
 }  // namespace
