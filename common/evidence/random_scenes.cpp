@@ -147,6 +147,9 @@ void write_texturing(Author& a, bool had_pictures) {
         a.line("textured {}", a.one_of({"diffuse", "specular diffuse", "transmission", "emission ambient"}));
     else
         a.line("textured ambient diffuse emission");
+    if (own.chance(0.1) && !a.tame)
+        a.line("textured {}", own.one_of({"gloss translucency", "roughness", "diffuse gloss roughness",
+                                          "finish coat", "shininess translucency"}));
     const bool is_plain = !a.chance(0.05);
     const auto finish = is_plain ? "plain" : a.one_of({"matte", "velvet .3", "metal .4", "coated 1.4"});
     a.line("finish {}", a.tame ? "plain" : finish);
@@ -375,7 +378,7 @@ void write_blur(Author& a) {
     a.line("aperture {}", b.one_of({"0", "5", "6 30"}));
     a.line("shutter {}", b.one_of({"0 0", ".2 .3"}));
     a.line("cameramotion {}", triple(Vec3(0.1 * blurred, 0, 0)));
-    a.line("motion 0 0 0\nspin 0 1 0 0");
+    a.line("motion 0 0 0");
     a.line("lightsamples {}", b.whole(1, 4));
     a.line("lightstratify {}", b.one_of({"on", "off"}));
     a.line("lightsampling {}", b.one_of({"angle", "area"}));
@@ -404,7 +407,8 @@ void write_motion(Author& a) {
     Author own{random_for(a.random.key, a.random.dimension, 3)};
     if (own.chance(0.5)) a.line("motion {}", triple(a.unit * in_box(own, Vec3(-0.3), Vec3(0.3))));
     const Vec3 axis = in_box(own, Vec3(-1), Vec3(1));
-    if (own.chance(0.5)) a.line("spin {} {:.5g}", triple(axis), own.chance(0.2) ? 400 : own.uniform(-60, 60));
+    const Real angle = own.chance(0.2) ? 400 : own.uniform(-60, 60);
+    a.line("pushTransform\nspin {} {:.5g}", triple(axis), own.chance(0.5) ? angle : 0);
 }
 
 }  // namespace
@@ -434,7 +438,7 @@ std::string random_scene(std::uint64_t number) {
     for (int i = 0; i < count; ++i) {
         if (a.blurred) write_motion(a);
         write_object(a);
-        if (a.blurred) a.line("motion 0 0 0\nspin 0 1 0 0");
+        if (a.blurred) a.line("popTransform\nmotion 0 0 0");
     }
     return a.text;
 }

@@ -32,11 +32,27 @@ ordered_json to_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 ordered_json to_json(Real x) { return std::isinf(x) ? ordered_json("infinity") : ordered_json(x); }
 
 ordered_json to_json(const LightRecord& light) {
-    return {{"direction", to_json(light.sample.direction)},
-            {"distance", to_json(light.sample.distance)},
-            {"color", to_json(light.sample.color)},
-            {"visible", to_json(light.visible)},
-            {"contribution", to_json(light.contribution)}};
+    ordered_json json = {{"direction", to_json(light.sample.direction)},
+                         {"distance", to_json(light.sample.distance)},
+                         {"color", to_json(light.sample.color)},
+                         {"visible", to_json(light.visible)},
+                         {"contribution", to_json(light.contribution)}};
+    if (light.lobe) json["lobe"] = to_json(*light.lobe);
+    return json;
+}
+
+/// What few hits have: how the surface spreads light.
+void add_spreading(const World& world, const TraceRecord& record, ordered_json& json) {
+    if (record.finish) {
+        const bool is_coat = record.finish->kind == FinishKind::Coated;
+        json["finish"] = {{"kind", word_of(record.finish->kind).name},
+                          {is_coat ? "ior" : "roughness", record.finish->value}};
+    }
+    const auto& [gloss, translucency, alpha] = record.spread;
+    if (alpha > 0) json["facets"] = alpha;
+    if (alpha == 0 && gloss > 0) json["gloss"] = gloss;
+    if (alpha == 0 && translucency > 0) json["translucency"] = translucency;
+    if (world.needs.skylight) json["skylight"] = to_json(record.skylight);
 }
 
 /// Which object of the file the primitive is.
@@ -66,6 +82,7 @@ ordered_json to_json(const Scene& scene, const World& world, const TraceRecord& 
         json["point"] = to_json(record.surface.point);
         json["normal"] = to_json(record.normal);
         json["arriving_weight"] = to_json(record.weight);
+        add_spreading(world, record, json);
         json["lights"] = ordered_json::array();
         for (const LightRecord& light : record.lights) json["lights"].push_back(to_json(light));
     }

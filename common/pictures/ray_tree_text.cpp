@@ -25,6 +25,26 @@ std::string triple_of_tree(const ordered_json& v) {
     return fmt::format("({}, {}, {})", number_of_tree(v[0]), number_of_tree(v[1]), number_of_tree(v[2]));
 }
 
+namespace {
+
+/// How the surface that a ray hits spreads light, where it does not do so evenly and as a mirror.
+void print_spreading(const ordered_json& ray, const std::string& indent) {
+    if (ray.contains("finish"))
+        fmt::print("{}  finish {}, {} {}\n", indent, ray["finish"]["kind"].get<std::string>(),
+                   ray["finish"].contains("ior") ? "index of refraction" : "roughness",
+                   number_of_tree(ray["finish"].back()));
+    if (ray.contains("facets"))
+        fmt::print("{}  sends rays on by facets, alpha {}\n", indent, number_of_tree(ray["facets"]));
+    if (ray.contains("gloss"))
+        fmt::print("{}  spreads mirrored rays as cos^{}\n", indent, number_of_tree(ray["gloss"]));
+    if (ray.contains("translucency"))
+        fmt::print("{}  spreads refracted rays as cos^{}\n", indent, number_of_tree(ray["translucency"]));
+    if (ray.contains("skylight"))
+        fmt::print("{}  light from the sky adds {}\n", indent, triple_of_tree(ray["skylight"]));
+}
+
+}  // namespace
+
 void print_ray(const ordered_json& rays, std::size_t index) {
     const ordered_json& ray = rays[index];
     const std::size_t depth = ray["depth"].get<std::size_t>();
@@ -43,10 +63,13 @@ void print_ray(const ordered_json& rays, std::size_t index) {
                triple_of_tree(ray["point"]), triple_of_tree(ray["normal"]));
     if (ray["arriving_weight"] != ray["weight"])
         fmt::print("{}  weight after absorption {}\n", indent, triple_of_tree(ray["arriving_weight"]));
+    print_spreading(ray, indent);
     for (const ordered_json& light : ray["lights"])
-        fmt::print("{}  light at distance {}, {} arriving, {} of it visible: adds {}\n", indent,
+        fmt::print("{}  light at distance {}, {} arriving, {} of it visible{}: adds {}\n", indent,
                    number_of_tree(light["distance"]), triple_of_tree(light["color"]),
-                   triple_of_tree(light["visible"]), triple_of_tree(light["contribution"]));
+                   triple_of_tree(light["visible"]),
+                   light.contains("lobe") ? fmt::format(", lobe {}", triple_of_tree(light["lobe"])) : "",
+                   triple_of_tree(light["contribution"]));
     fmt::print("{}  radiance here {}\n", indent, triple_of_tree(ray["local"]));
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace rt {
 
@@ -43,6 +44,7 @@ std::string step_of(const std::string& quantity, const ordered_json& ray) {
     }
     if (quantity == "kind" || quantity == "parent" || quantity == "weight") return "07.5";
     if (quantity == "arriving_weight") return "07.4";
+    if (quantity == "skylight") return "11.9";
     if (quantity == "hit" || quantity == "primitive" || quantity == "t" || quantity == "line" ||
         quantity == "shape")
         return shape == "sphere" ? "02.3" : triangle ? "03.4" : shape == "polygon" ? "03.2" : "01.4";
@@ -50,8 +52,15 @@ std::string step_of(const std::string& quantity, const ordered_json& ray) {
         return shape == "sphere" ? "02.4" : triangle ? "03.5" : "01.4";
     return "05.5";
 }
-std::string step_of_light(const std::string& quantity) {
+/// The step of the lobe of a finish.
+std::string step_of_lobe(const ordered_json& ray) {
+    static const std::map<std::string, std::string> steps{
+        {"matte", "11.13"}, {"metal", "11.14"}, {"glass", "11.15"}, {"velvet", "11.16"}, {"coated", "11.17"}};
+    return steps.at(ray["finish"]["kind"].get<std::string>());
+}
+std::string step_of_light(const std::string& quantity, const ordered_json& ray) {
     if (quantity == "visible") return "06.3";
+    if (quantity == "lobe") return step_of_lobe(ray);
     return quantity == "contribution" ? "05.5" : "05.1";
 }
 
@@ -61,11 +70,19 @@ std::string text(const ordered_json& value) {
                                                  : json_text(value);
 }
 
+/// The step that sends on a ray from a surface which spreads what it sends on; empty where it does not.
+std::string step_of_spread(const ordered_json& rays, const ordered_json& ray) {
+    if (ray["parent"].get<int>() < 0) return "";
+    const ordered_json& parent = rays[ray["parent"].get<std::size_t>()];
+    if (parent.contains("facets")) return "11.14";
+    return parent.contains(ray["kind"] == "reflection" ? "gloss" : "translucency") ? "12.19" : "";
+}
+
 /// The first difference of two rays, which are number `i` of their trees.
 std::optional<TraceDifference> difference_of_rays(const ordered_json& a, const ordered_json& b,
                                                   std::size_t i) {
     for (const char* quantity : {"kind", "parent", "origin", "direction", "weight", "hit", "primitive", "t",
-                                 "point", "normal", "arriving_weight"}) {
+                                 "point", "normal", "arriving_weight", "skylight"}) {
         const ordered_json p = a.value(quantity, ordered_json()), q = b.value(quantity, ordered_json());
         if (same(p, q)) continue;
         const ordered_json& known = b["hit"].get<bool>() ? b : a;
@@ -74,11 +91,13 @@ std::optional<TraceDifference> difference_of_rays(const ordered_json& a, const o
     const ordered_json lights = a.value("lights", ordered_json::array());
     const ordered_json other = b.value("lights", ordered_json::array());
     for (std::size_t k = 0; k < std::min(lights.size(), other.size()); ++k)
-        for (const char* quantity : {"direction", "distance", "color", "visible", "contribution"})
-            if (!same(lights[k][quantity], other[k][quantity]))
-                return TraceDifference{i, fmt::format("light {}: {}", k + 1, quantity),
-                                       text(lights[k][quantity]), text(other[k][quantity]),
-                                       step_of_light(quantity)};
+        for (const char* quantity : {"direction", "distance", "color", "visible", "lobe", "contribution"}) {
+            const ordered_json p = lights[k].value(quantity, ordered_json()),
+                               q = other[k].value(quantity, ordered_json());
+            if (!same(p, q))
+                return TraceDifference{i, fmt::format("light {}: {}", k + 1, quantity), text(p), text(q),
+                                       step_of_light(quantity, b)};
+        }
     if (lights.size() != other.size())
         return TraceDifference{i, "number of lights in front of the surface", std::to_string(lights.size()),
                                std::to_string(other.size()), "05.1"};
@@ -92,7 +111,11 @@ std::optional<TraceDifference> difference_of_rays(const ordered_json& a, const o
 std::optional<TraceDifference> first_difference(const ordered_json& mine, const ordered_json& theirs) {
     const ordered_json &a = mine["rays"], &b = theirs["rays"];
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-        if (const auto difference = difference_of_rays(a[i], b[i], i)) return difference;
+        if (auto difference = difference_of_rays(a[i], b[i], i)) {
+            const std::string spread = step_of_spread(b, b[i]);
+            if (difference->quantity == "direction" && !spread.empty()) difference->step = spread;
+            return difference;
+        }
     if (a.size() != b.size())
         return TraceDifference{std::min(a.size(), b.size()), "number of rays", std::to_string(a.size()),
                                std::to_string(b.size()), "07.5"};

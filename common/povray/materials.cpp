@@ -149,7 +149,7 @@ Material multiplied(Material m, const ColorsOf& colors, const Vec3& factor, Real
     m.emission *= of(colors.emission);
     m.specular *= of(colors.specular);
     m.transmission *= of(colors.transmission);
-    if (colors.shininess) m.shininess *= factor.x;
+    if (colors.shininess) m.shininess *= std::max(factor.x, Real(0));
     return m;
 }
 

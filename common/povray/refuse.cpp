@@ -64,6 +64,26 @@ void refuse_nested_fresnel(const Scene& scene) {
     }
 }
 
+/// Of several bodies in one place, ours is made of the one that a ray entered last, which displaces the
+/// others; POV-Ray adds up what all of them absorb. That is the same where the last one alone absorbs.
+void refuse_nested_absorption(const Scene& scene) {
+    const auto is_clear = [&](const Object& object) {
+        return is_black(material_of(scene, object).absorption);
+    };
+    for (const Object& object : scene.objects) {
+        if (!is_glass(scene, object) || is_clear(object)) continue;
+        for (const Object& other : scene.objects) {
+            if (&other == &object || !is_glass(scene, other) || !may_overlap(scene, object, other)) continue;
+            if (is_clear(other) && is_ball_within(object, other)) continue;
+            refuse(
+                scene, object,
+                fmt::format("absorption where it may be in one place with the transparent object of line {}: "
+                            "POV-Ray adds up what both absorb",
+                            other.place.line));
+        }
+    }
+}
+
 /// POV-Ray's weight of a ray is the product of the strongest channels on its way, and leaves out Fresnel's
 /// share.
 void refuse_weights(const Scene& scene, const Object& object) {
@@ -190,6 +210,7 @@ void refuse_other_optics(const Scene& scene) {
     if (scene.sky && absorbs(scene)) refuse(scene, "absorption under a sky of more than one colour");
     if (!may_bounce(scene)) return;
     refuse_nested_fresnel(scene);
+    refuse_nested_absorption(scene);
     refuse_partly_inside(scene);
 }
 

@@ -2,6 +2,7 @@
 #include "common/render/area_lights.hpp"
 
 #include "chapters/12_distribution/area_light.hpp"
+#include "common/render/finish.hpp"
 
 namespace rt {
 namespace {
@@ -32,7 +33,7 @@ std::optional<Vec3> light_at(const World& world, const Ray& ray, const Hit& hit)
 
 Real gloss_of(const World& world, const Material& material, bool refracted) {
     if (!world.needs.gloss || material.finish < 0) return 0;
-    const Finish& finish = world.finishes[static_cast<std::size_t>(material.finish)];
+    const Finish finish = finish_at(world, material);
     return refracted ? finish.translucency : finish.gloss;
 }
 

@@ -5,6 +5,7 @@
 #include "chapters/12_distribution/lambert_polygon.hpp"
 #include "common/math/axes.hpp"
 #include "common/render/area_lights.hpp"
+#include "common/render/finish.hpp"
 #include "common/render/integrators.hpp"
 
 #include <array>
@@ -59,7 +60,7 @@ Vec3 analytic_direct(const World& world, const Ray& ray, Stream&) {
 Vec3 direct(const World& world, const Ray& ray, Stream& stream) {
     return color_of(world, ray, [&](const Shaded& at) {
         const Material& m = at.material;
-        const Finish finish = m.finish < 0 ? Finish() : world.finishes[static_cast<std::size_t>(m.finish)];
+        const Finish finish = finish_at(world, m);
         const Mat3 frame = axes_around(at.normal);
         const Vec3 viewer = -ray.direction * frame;
         Vec3 sum(0);

@@ -135,6 +135,16 @@ bool is_transformed(const Scene& scene) {
     return std::ranges::any_of(scene.objects, has_one) || std::ranges::any_of(scene.parts, has_one);
 }
 
+/// Whether a texture says how far mirrored or refracted rays are spread.
+bool spread_varies(const World& world) {
+    return world.needs.textures && std::ranges::any_of(world.finishes, [](const Finish& finish) {
+               const TexturedFinish& textured = finish.textured;
+               return (textured.gloss && finish.gloss > 0) ||
+                      (textured.translucency && finish.translucency > 0) ||
+                      (textured.roughness && finish.brdf == Brdf::Ggx);
+           });
+}
+
 void explain_features(const Scene& scene, const World& world, Explanation& explanation) {
     const Needs& needs = world.needs;
     Sorter sort{explanation};
@@ -177,7 +187,10 @@ void explain_features(const Scene& scene, const World& world, Explanation& expla
                  "nothing moves");
     sort.feature(needs.area_lights, "points of area lights", "some light has an extent",
                  "no light has an extent, or nothing asks for it");
-    sort.feature(needs.gloss || needs.rough, "spread rays", "some material is glossy, translucent or rough",
+    sort.feature(needs.gloss || needs.rough, "spread rays",
+                 spread_varies(world)
+                     ? "some material is glossy, translucent or rough, how much its texture says"
+                     : "some material is glossy, translucent or rough",
                  "every mirrored and refracted ray has one direction");
     if (needs.samples)
         explanation.kept.push_back(

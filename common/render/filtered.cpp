@@ -120,11 +120,14 @@ Vec3 filtered_radiance(const World& world, const Ray& ray, Stream&) {
     return sum;
 }
 
-Vec3 filtered_own_light(const World& world, const Ray& ray, Stream&) {
-    const std::optional<Hit> hit = closest_hit(world, ray, {0, infinity});
-    if (!hit) return background(world, ray.direction);
-    const Material material = arrival(world, ray, camera_ray_differential(world, ray), *hit).material;
+Vec3 filtered_own_light(const World& world, const Ray& ray, const Hit& hit) {
+    const Material material = arrival(world, ray, camera_ray_differential(world, ray), hit).material;
     return material.ambient + material.emission;
+}
+
+Vec3 filtered_normal(const World& world, const Ray& ray, const Hit& hit) {
+    const Vec3 n = arrival(world, ray, camera_ray_differential(world, ray), hit).surface.shading_normal;
+    return 0.5 * (turned_to_viewer(n, ray.direction) + Vec3(1));
 }
 
 }  // namespace rt

@@ -9,7 +9,11 @@ namespace rt {
 /// changes from pixel to pixel (Igehy 1999), and textures are averaged over the pixel's footprint.
 Vec3 filtered_radiance(const World& world, const Ray& ray, Stream& stream);
 
-/// As `cast_ray` of chapter 1, likewise: ambient + emission.
-Vec3 filtered_own_light(const World& world, const Ray& ray, Stream& stream);
+/// What the nearest hit of a camera ray shows in such a world: ambient + emission, ...
+Vec3 filtered_own_light(const World& world, const Ray& ray, const Hit& hit);
+
+/// ... or its unit shading normal n by the averaged normal map, turned to the viewer, as the colour (n +
+/// 1)/2.
+Vec3 filtered_normal(const World& world, const Ray& ray, const Hit& hit);
 
 }  // namespace rt

@@ -67,6 +67,13 @@ Vec3 color_under_sky(const World& world, const Ray& ray, Stream&) {
     return hit ? Show::template of<AllShapes>(world, ray, *hit) : sky_color(world, ray.direction);
 }
 
+/// What a function of chapter 11's averages says of the nearest hit, or the background.
+template <HitColor show>
+Vec3 filtered_color(const World& world, const Ray& ray, Stream&) {
+    const std::optional<Hit> hit = closest_hit(world, ray, everything);
+    return hit ? show(world, ray, *hit) : background(world, ray.direction);
+}
+
 template <class Show>
 RayColor nearest(const World& world) {
     if (world.needs.sky) return color_under_sky<Show>;
@@ -98,6 +105,14 @@ struct Normal {
         return 0.5 * (turned_to_viewer(n, ray.direction) + Vec3(1));
     }
 };
+
+RayColor normals(const World& world) {
+    return world.needs.footprints ? filtered_color<filtered_normal> : nearest<Normal>(world);
+}
+
+HitColor normal_of_hit(const World& world) {
+    return world.needs.footprints ? filtered_normal : Normal::of<AllShapes>;
+}
 
 // uv
 
@@ -132,7 +147,13 @@ struct OwnLight {
 
 Vec3 cast_ray_color(const World& world, const Ray& ray, Stream&) { return cast_ray(world, ray); }
 
-RayColor flat(const World& world) { return world.needs.footprints ? filtered_own_light : cast_ray_color; }
+RayColor flat(const World& world) {
+    return world.needs.footprints ? filtered_color<filtered_own_light> : cast_ray_color;
+}
+
+HitColor own_light_of_hit(const World& world) {
+    return world.needs.footprints ? filtered_own_light : OwnLight::of<AllShapes>;
+}
 
 // raytrace
 
@@ -183,16 +204,17 @@ RayColor raytrace(const World& world) {
 /// The rendering half of a row.
 struct Renderer {
     Integrator integrator;
-    RayColor (*color)(const World&);  ///< looks at the world, once a picture
-    HitColor hit_color = nullptr;     ///< where its colour depends on the nearest hit alone
+    RayColor (*color)(const World&);                ///< looks at the world, once a picture
+    HitColor (*hit_color)(const World&) = nullptr;  ///< where its colour depends on the nearest hit alone
 };
 
 constexpr Renderer renderers[] = {
     {Integrator::Raytrace, raytrace},
-    {Integrator::Flat, flat, OwnLight::of<AllShapes>},
+    {Integrator::Flat, flat, own_light_of_hit},
     {Integrator::Directions, directions},
-    {Integrator::Normals, nearest<Normal>, Normal::of<AllShapes>},
-    {Integrator::Uv, nearest<TextureCoordinates>, TextureCoordinates::of<AllShapes>},
+    {Integrator::Normals, normals, normal_of_hit},
+    {Integrator::Uv, nearest<TextureCoordinates>,
+     [](const World&) -> HitColor { return TextureCoordinates::of<AllShapes>; }},
     {Integrator::AnalyticDirect, [](const World&) -> RayColor { return analytic_direct; }},
     {Integrator::Direct, [](const World&) -> RayColor { return direct; }},
 };
@@ -218,6 +240,17 @@ Vec3 color_along(const World& world, const Ray& ray) {
     return color_function(world)(world, ray, stream);
 }
 
-HitColor hit_color_function(const World& world) { return renderer_of(world).hit_color; }
+RayColor unaveraged_color_function(const World& world) {
+    const RayColor averaged = color_function(world);
+    if (averaged == filtered_radiance) return radiance_color;
+    if (averaged == filtered_color<filtered_own_light>) return cast_ray_color;
+    if (averaged == filtered_color<filtered_normal>) return nearest<Normal>(world);
+    return nullptr;
+}
+
+HitColor hit_color_function(const World& world) {
+    const Renderer& renderer = renderer_of(world);
+    return renderer.hit_color ? renderer.hit_color(world) : nullptr;
+}
 
 }  // namespace rt

@@ -12,6 +12,10 @@ RayColor color_function(const World& world);
 /// The colour along one ray, which belongs to no pixel: by random numbers that are the same each time.
 Vec3 color_along(const World& world, const Ray& ray);
 
+/// The same function but for textures, which it looks up between four texels and does not average over what
+/// a pixel sees. Null where nothing is averaged.
+RayColor unaveraged_color_function(const World& world);
+
 /// What the nearest hit of a ray shows: linear RGB.
 using HitColor = Vec3 (*)(const World&, const Ray&, const Hit&);
 

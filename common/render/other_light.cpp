@@ -5,39 +5,39 @@
 #include "chapters/11_textures/lobes.hpp"
 #include "common/math/axes.hpp"
 #include "common/render/area_lights.hpp"
+#include "common/render/finish.hpp"
 #include "common/render/lights.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace rt {
 namespace {
 
 Lobe lobe_of(const Finish& finish, const Material& material) {
     const Vec3 color = glm::min(material.diffuse, Vec3(1));
-    const Real roughness =
-        std::clamp(finish.value * static_cast<Real>(material.finish_factor), Real(0), Real(1));
     switch (finish.kind) {
         case FinishKind::Velvet:
-            return Velvet{color, roughness};
+            return Velvet{color, finish.value};
         case FinishKind::Metal:
-            return RoughMetal{color, roughness};
+            return RoughMetal{color, finish.value};
         case FinishKind::Coated:
             return Coated{color, finish.value};
         case FinishKind::Glass:
-            return RoughGlass{color, roughness, material.ior};
+            return RoughGlass{color, finish.value, material.ior};
         case FinishKind::Matte:
         case FinishKind::Plain:
             break;
     }
-    return Matte{color, roughness};
+    return Matte{color, finish.value};
 }
 
 /// The finish of a material, if it is not the plain one.
-const Finish* finish_of(const World& world, const Material& material) {
-    if (!world.needs.finishes || material.finish < 0) return nullptr;
-    const Finish& finish = world.finishes[static_cast<std::size_t>(material.finish)];
-    return finish.kind == FinishKind::Plain ? nullptr : &finish;
+std::optional<Finish> finish_of(const World& world, const Material& material) {
+    if (!world.needs.finishes || material.finish < 0) return std::nullopt;
+    const Finish finish = finish_at(world, material);
+    return finish.kind == FinishKind::Plain ? std::nullopt : std::optional(finish);
 }
 
 /// What the surface sends to the viewer by itself, and of the sky and the lamps. `visit_all(normal, visit)`
@@ -45,39 +45,52 @@ const Finish* finish_of(const World& world, const Material& material) {
 template <class VisitAll>
 Vec3 sum_of_all(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
                 const Vec3& to_viewer, const VisitAll& visit_all) {
-    const Finish* const finish = finish_of(world, material);
-    const bool is_glass = finish && finish->kind == FinishKind::Glass;
-    Lobe lobe;
-    Mat3 frame(1);
-    Material plain = material;
-    if (finish) {
-        // The z axis of glass points out of it.
-        const bool is_inside = is_glass && dot(surface.normal, to_viewer) < 0;
-        frame = axes_around(is_inside ? -normal : normal);
-        lobe = lobe_of(*finish, material);
-        plain.diffuse = Vec3(0);
-    }
-    const Vec3 viewer = to_viewer * frame;
-    Vec3 sum = emitted_light(material);
-    if (world.needs.skylight) sum += sky_diffuse(world.skylight, normal, material.diffuse);
-    const auto spread = [&](const LightSample& light, const Vec3& visible) {
-        const Vec3 l = light.direction * frame;
-        sum += pi * std::abs(l.z) * evaluate(lobe, l, viewer) * light.color * visible;
+    const LampShading lamps = lamp_shading(world, surface, material, normal, to_viewer);
+    Vec3 sum = emitted_light(material) + light_of_sky(world, material, normal);
+    const auto add = [&](const LightSample& light, const Vec3& visible) {
+        if (visible != Vec3(0)) sum += sent_on(lamps, light, visible);
     };
-    visit_all(normal, [&](const LightSample& light, const Vec3& visible) {
-        if (visible == Vec3(0)) return;
-        sum += reflected_light(plain, normal, to_viewer, light, visible);
-        if (finish) spread(light, visible);
-    });
+    visit_all(normal, add);
     // Light from behind goes through, as far as the rest of the body lets it.
-    if (is_glass)
-        visit_all(-normal, [&](const LightSample& light, const Vec3& visible) {
-            if (visible != Vec3(0)) spread(light, visible);
-        });
+    if (shines_through(lamps)) visit_all(-normal, add);
     return sum;
 }
 
 }  // namespace
+
+LampShading lamp_shading(const World& world, const Surface& surface, const Material& material,
+                         const Vec3& normal, const Vec3& to_viewer) {
+    LampShading lamps{material, normal, to_viewer, finish_of(world, material), {}, Mat3(1)};
+    if (!lamps.finish) return lamps;
+    // The z axis of glass points out of it.
+    const bool is_inside = shines_through(lamps) && dot(surface.normal, to_viewer) < 0;
+    lamps.frame = axes_around(is_inside ? -normal : normal);
+    lamps.lobe = lobe_of(*lamps.finish, material);
+    lamps.plain.diffuse = Vec3(0);
+    return lamps;
+}
+
+bool shines_through(const LampShading& lamps) {
+    return lamps.finish && lamps.finish->kind == FinishKind::Glass;
+}
+
+Vec3 lobe_towards(const LampShading& lamps, const LightSample& light) {
+    return evaluate(lamps.lobe, light.direction * lamps.frame, lamps.to_viewer * lamps.frame);
+}
+
+Vec3 sent_on(const LampShading& lamps, const LightSample& light, const Vec3& visible) {
+    Vec3 sum(0);
+    if (dot(lamps.normal, light.direction) > 0)
+        sum = reflected_light(lamps.plain, lamps.normal, lamps.to_viewer, light, visible);
+    if (lamps.finish)
+        sum += pi * std::abs((light.direction * lamps.frame).z) * lobe_towards(lamps, light) * light.color *
+               visible;
+    return sum;
+}
+
+Vec3 light_of_sky(const World& world, const Material& material, const Vec3& normal) {
+    return world.needs.skylight ? sky_diffuse(world.skylight, normal, material.diffuse) : Vec3(0);
+}
 
 Vec3 other_light(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
                  const Vec3& to_viewer) {

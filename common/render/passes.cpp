@@ -38,15 +38,35 @@ void take(PassedPixel& pixel, const Vec3& color) {
     pixel.deviations += from_old * (color - pixel.mean);
 }
 
+bool watches(const SampledPicture& picture, std::size_t i) {
+    return !picture.is_watched.empty() && picture.is_watched[i];
+}
+
+/// What `of`, a function of the pass, returns if textures are not averaged. These camera rays are none of the
+/// picture's samples.
+template <class Of>
+auto unaveraged(const SampledPicture& picture, const Pass& pass, const Of& of) {
+    const std::uint64_t samples = ray_counts().camera;
+    const auto result = of(Pass{pass.patterns, pass.number, picture.unaveraged});
+    ray_counts().camera = samples;
+    return result;
+}
+
 /// Each pixel takes the mean of its own samples.
-void make_box_pass(SampledPicture& picture, const Patterns& patterns, std::uint64_t pass,
+void make_box_pass(SampledPicture& picture, const Patterns& patterns, std::uint64_t number,
                    const std::function<bool()>& stop, const std::function<void(std::size_t)>& done) {
+    const Pass pass{patterns, number, picture.color};
     in_parallel(
         picture.tiles.size(), picture.rays,
         [&](std::size_t i) {
             if (stop && stop()) return;
             each_pixel(picture.tiles[i], [&](int x, int y) {
-                take(picture.pixels[picture.index(x, y)], color_of_pixel(picture, patterns, x, y, pass));
+                const std::size_t at = picture.index(x, y);
+                const auto color_of_this = [&](const Pass& of) { return color_of_pixel(picture, of, x, y); };
+                const Vec3 color = color_of_this(pass);
+                take(picture.pixels[at], color);
+                if (watches(picture, at))
+                    take(picture.changes[at], color - unaveraged(picture, pass, color_of_this));
             });
         },
         done);
@@ -55,15 +75,14 @@ void make_box_pass(SampledPicture& picture, const Patterns& patterns, std::uint6
 /// Each pixel takes the mean of all the samples that its filter reaches. Tiles make sums for their
 /// neighbours' pixels too; they are put together in the order of the tiles, so that the number of threads
 /// does not matter.
-void make_wide_pass(SampledPicture& picture, const Patterns& patterns, std::uint64_t pass,
+void make_wide_pass(SampledPicture& picture, const Patterns& patterns, std::uint64_t number,
                     const std::function<void(std::size_t)>& done) {
+    const Pass pass{patterns, number, picture.color};
     const std::vector<Tile>& tiles = picture.tiles;
     std::vector<std::vector<FilmPixel>> sums(tiles.size());
     in_parallel(
         tiles.size(), picture.rays,
-        [&](std::size_t i) {
-            sums[i] = film_of_tile(picture, patterns, tiles[i], pass, reached(picture, tiles[i]));
-        },
+        [&](std::size_t i) { sums[i] = film_of_tile(picture, pass, tiles[i], reached(picture, tiles[i])); },
         done);
     std::vector<FilmPixel> whole(picture.pixels.size());
     for (std::size_t i = 0; i < tiles.size(); ++i) {
@@ -74,6 +93,19 @@ void make_wide_pass(SampledPicture& picture, const Patterns& patterns, std::uint
         });
     }
     for (std::size_t i = 0; i < whole.size(); ++i) take(picture.pixels[i], color_of(whole[i]));
+    in_parallel(tiles.size(), picture.rays,
+                [&](std::size_t i) {
+                    if (!watches(picture, i)) return;
+                    const std::vector<FilmPixel> other = unaveraged(picture, pass, [&](const Pass& of) {
+                        return film_of_tile(picture, of, reached(picture, tiles[i]), tiles[i]);
+                    });
+                    auto sum = other.begin();
+                    each_pixel(tiles[i], [&](int x, int y) {
+                        const std::size_t at = picture.index(x, y);
+                        take(picture.changes[at], color_of(whole[at]) - color_of(*sum++));
+                    });
+                },
+                {});
 }
 
 }  // namespace
@@ -104,14 +136,13 @@ Vec3 color_at(const SampledPicture& picture, int x, int y, const Vec2& at, const
     return sample_pixel(picture.world, x, y, {&alone, 1}, picture.color, stream);
 }
 
-Vec3 color_of_pixel(const SampledPicture& picture, const Patterns& patterns, int x, int y,
-                    std::uint64_t pass) {
-    return sample_pixel(picture.world, x, y, samples_of(picture, patterns, x, y, pass), picture.color,
-                        stream_of(picture, patterns, x, y, pass));
+Vec3 color_of_pixel(const SampledPicture& picture, const Pass& pass, int x, int y) {
+    return sample_pixel(picture.world, x, y, samples_of(picture, pass.patterns, x, y, pass.number),
+                        pass.color, stream_of(picture, pass.patterns, x, y, pass.number));
 }
 
-std::vector<FilmPixel> film_of_tile(const SampledPicture& picture, const Patterns& patterns,
-                                    const Tile& sampled, std::uint64_t pass, const Tile& area) {
+std::vector<FilmPixel> film_of_tile(const SampledPicture& picture, const Pass& pass, const Tile& sampled,
+                                    const Tile& area) {
     std::vector<FilmPixel> sums(static_cast<std::size_t>(width(area)) *
                                 static_cast<std::size_t>(height(area)));
     std::vector<FilmSample> samples;
@@ -122,10 +153,11 @@ std::vector<FilmPixel> film_of_tile(const SampledPicture& picture, const Pattern
         samples.clear();
     };
     each_pixel(sampled, [&](int x, int y) {
-        Stream stream = stream_of(picture, patterns, x, y, pass);
-        for (const PixelSample& sample : samples_of(picture, patterns, x, y, pass)) {
-            const Vec2 at(x + sample.at.x, y + sample.at.y);
-            samples.push_back({at, color_at(picture, x, y, sample.at, stream), sample.weight});
+        Stream stream = stream_of(picture, pass.patterns, x, y, pass.number);
+        for (const PixelSample& sample : samples_of(picture, pass.patterns, x, y, pass.number)) {
+            const PixelSample alone{sample.at, 1};
+            const Vec3 color = sample_pixel(picture.world, x, y, {&alone, 1}, pass.color, stream);
+            samples.push_back({Vec2(x + sample.at.x, y + sample.at.y), color, sample.weight});
             ++stream.sample;
         }
         if (samples.size() >= film_part) expose();

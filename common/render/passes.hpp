@@ -5,6 +5,7 @@
 #include "common/render/patterns.hpp"
 #include "common/render/tiles.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -25,6 +26,12 @@ struct SampledPicture {
     RayCounts rays{};
     std::vector<Tile> tiles;
     std::vector<PassedPixel> pixels;
+    RayColor unaveraged = nullptr;  ///< where textures are averaged: the same without that
+    /// Of the pixels that are watched, by how much a pass's colours are greater than those of the same
+    /// samples by `unaveraged`. Which ones are, or which tiles where the filter is wide, is empty where
+    /// nobody asks.
+    std::vector<PassedPixel> changes{};
+    std::vector<char> is_watched{};
     std::vector<int> counts{};  ///< samples of each pixel in a pass, where they are adaptive; else empty
 
     SampledPicture(const World& of, RayColor color_of_ray);
@@ -51,16 +58,22 @@ Tile in_picture(const SampledPicture& picture, const Tile& area);
 /// The tile and all around that its pixels' filter reaches, in the picture.
 Tile reached(const SampledPicture& picture, const Tile& tile);
 
+/// A pass over the picture, in which a function colours the rays: mostly the picture's.
+struct Pass {
+    const Patterns& patterns;
+    std::uint64_t number;
+    RayColor color;
+};
+
 /// The colour of one sample alone, whatever its weight.
 Vec3 color_at(const SampledPicture& picture, int x, int y, const Vec2& at, const Stream& stream);
 
 /// The colour of a pixel from its own samples in a pass.
-Vec3 color_of_pixel(const SampledPicture& picture, const Patterns& patterns, int x, int y,
-                    std::uint64_t pass);
+Vec3 color_of_pixel(const SampledPicture& picture, const Pass& pass, int x, int y);
 
 /// Sums for the pixels of `area`, over the samples of those in `sampled`.
-std::vector<FilmPixel> film_of_tile(const SampledPicture& picture, const Patterns& patterns,
-                                    const Tile& sampled, std::uint64_t pass, const Tile& area);
+std::vector<FilmPixel> film_of_tile(const SampledPicture& picture, const Pass& pass, const Tile& sampled,
+                                    const Tile& area);
 
 /// One more colour for each pixel, on all threads of the current arena; where no filter is wide, none for
 /// tiles that `stop` forbids. `done` is told the number of finished tiles. Both may be empty.

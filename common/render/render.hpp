@@ -15,8 +15,8 @@ struct RenderOptions {
     std::function<void(Real)> progress;  ///< told the finished fraction, from any thread; may be empty
     /// Goes on with passes of new samples for about so long (wall clock). One whole pass at least is made.
     std::optional<double> seconds{};
-    /// Goes on with passes of new samples until the estimated RMS error is at most this. If `seconds` is
-    /// given too, whichever comes first ends the picture. With either, the world's sampling.count is not
+    /// Goes on with passes of new samples until the estimated RMS error is at most this, or further samples
+    /// make it hardly better. If `seconds` is given too, whichever comes first ends the picture. With either, the world's sampling.count is not
     /// used.
     std::optional<Real> error{};
     /// Whether a picture of a given number of samples estimates its error, which takes further samples.
@@ -30,8 +30,9 @@ struct RenderResult {
     RayCounts rays;
     Real samples_per_pixel = 1;  ///< on average, with those that tell where adaptive ones go
     std::vector<int> counts;     ///< samples of each pixel, row by row, where they are adaptive; else empty
-    /// Estimated root mean square error of all pixels and channels, linear, that comes from finite sampling;
-    /// nothing where there is one sample a pixel.
+    /// Estimated root mean square error of all pixels and channels, linear, that comes from finite sampling,
+    /// and from textures that are averaged over other places than samples stand for; nothing where there is
+    /// one sample a pixel.
     std::optional<Real> rms_error;
     double seconds = 0;      ///< of the wall clock
     double cpu_seconds = 0;  ///< of all threads together

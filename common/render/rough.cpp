@@ -6,6 +6,7 @@
 #include "chapters/12_distribution/distributed.hpp"
 #include "chapters/12_distribution/glossy.hpp"
 #include "common/math/axes.hpp"
+#include "common/render/finish.hpp"
 #include "common/render/integrators.hpp"
 
 #include <utility>
@@ -68,7 +69,7 @@ std::vector<Branch> sent_on(const Meeting& at, Stream& stream) {
 
 Real facet_alpha(const World& world, const Material& material) {
     if (!world.needs.rough || material.finish < 0) return 0;
-    const Finish& finish = world.finishes[static_cast<std::size_t>(material.finish)];
+    const Finish finish = finish_at(world, material);
     if (finish.brdf != Brdf::Ggx || !(finish.roughness > 0)) return 0;
     const bool sends_on = material.specular != Vec3(0) || material.transmission != Vec3(0);
     return sends_on ? alpha_of(DiffuseGgx{Vec3(0), Vec3(1), finish.roughness}) : 0;

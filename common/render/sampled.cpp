@@ -41,7 +41,7 @@ void make_given(SampledPicture& picture, const RenderOptions& options, RenderRes
     });
     result.samples_per_pixel = mean_count(picture.rays.camera, picture);
     if (options.estimate && result.samples_per_pixel > 1)
-        result.rms_error = error_by_probes(picture, patterns);
+        result.rms_error = error_by_probes(picture, patterns).whole();
 }
 
 /// Passes until time is over or the error small enough.
@@ -76,7 +76,7 @@ struct Passes {
         Real wanted = infinity;
         if (options.error) {
             make_another(patterns, {});
-            const Real error = *error_of_passes(picture) * std::sqrt(Real(2));
+            const Real error = error_of_passes(picture)->sampling * std::sqrt(Real(2));
             const Real power = sampling.sampler == Sampler::Random ? 0.5 : 0.75;
             wanted = std::pow(error / (*options.error * std::sqrt(Real(passes_wanted))), 1 / power);
         }
@@ -84,6 +84,7 @@ struct Passes {
         if (!(wanted >= 2)) return patterns;
         const auto more = static_cast<int>(std::min(wanted, Real(4096)));
         picture.pixels.assign(picture.pixels.size(), {});
+        picture.changes.assign(picture.changes.size(), {});
         rays_for_trial = picture.rays.camera;
         pass_seconds *= more;
         return patterns_of(patterns.count * more);
@@ -98,15 +99,18 @@ struct Passes {
         }
         if (!options.error) return false;
         if (picture.pixels.front().sum.weight < least_passes) return false;
-        const std::optional<Real> error = error_of_passes(picture);
-        // It does not get better where a colour is infinite.
-        if (error && !std::isfinite(*error)) return true;
-        if (error) report(options, (*options.error / *error) * (*options.error / *error));
-        return error && *error <= *options.error;
+        const std::optional<PictureError> found = error_of_passes(picture);
+        if (!found) return false;
+        const Real error = found->whole();
+        // It does not get better where a colour is infinite, or where textures are averaged over too much.
+        if (!std::isfinite(error) || found->sampling <= *options.error / 2) return true;
+        report(options, (*options.error / error) * (*options.error / error));
+        return error <= *options.error;
     }
 };
 
 void make_until(SampledPicture& picture, const RenderOptions& options, RenderResult& result) {
+    watch_averaging(picture);
     Passes passes{picture, options};
     const Patterns patterns = passes.try_out();
     const auto late = [&] { return options.seconds && passes.watch.seconds() >= *options.seconds; };
@@ -116,7 +120,7 @@ void make_until(SampledPicture& picture, const RenderOptions& options, RenderRes
                             passes.is_empty() ? std::function<bool()>() : std::function<bool()>(late));
         if (options.seconds) report(options, passes.watch.seconds() / *options.seconds);
     }
-    result.rms_error = error_of_passes(picture);
+    if (const std::optional<PictureError> error = error_of_passes(picture)) result.rms_error = error->whole();
     result.samples_per_pixel = mean_count(picture.rays.camera - passes.rays_for_trial, picture);
 }
 
@@ -124,6 +128,7 @@ void make_until(SampledPicture& picture, const RenderOptions& options, RenderRes
 
 void render_sampled(const World& world, const RenderOptions& options, RenderResult& result) {
     SampledPicture picture(world, options.color ? options.color : color_function(world));
+    if (!options.color) picture.unaveraged = unaveraged_color_function(world);
     if (options.seconds || options.error)
         make_until(picture, options, result);
     else

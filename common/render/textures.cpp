@@ -46,8 +46,8 @@ void multiply(Material& m, const ColorsOf& colors, const Vec3& factor) {
     if (colors.specular) m.specular *= factor;
     if (colors.transmission) m.transmission *= factor;
     if (colors.absorption) m.absorption *= factor;
-    if (colors.shininess) m.shininess *= factor.x;
-    if (colors.finish) m.finish_factor *= static_cast<float>(factor.x);
+    if (colors.shininess) m.shininess *= std::max(factor.x, Real(0));
+    m.finish_factor = static_cast<float>(factor.x);
 }
 
 }  // namespace

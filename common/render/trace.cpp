@@ -4,6 +4,7 @@
 #include "common/render/area_lights.hpp"
 #include "common/render/integrators.hpp"
 #include "common/render/lights.hpp"
+#include "common/render/other_light.hpp"
 #include "common/render/rough.hpp"
 
 #include <utility>
@@ -11,14 +12,20 @@
 namespace rt {
 namespace {
 
-/// Writes down which part of the local light each light gives: `visit_all` calls its argument for each.
+/// Writes down which part of the local light each light gives: `visit_all(normal, visit)` calls `visit` for
+/// each in front of that normal.
 template <class VisitAll>
-void write_lights(const Material& material, TraceRecord& record, const VisitAll& visit_all) {
-    visit_all([&](const LightSample& sample, const Vec3& visible) {
-        const Vec3 part =
-            reflected_light(material, record.normal, -record.branch.ray.direction, sample, visible);
-        record.lights.push_back({sample, visible, part});
-    });
+void write_lights(const World& world, const Material& material, TraceRecord& record,
+                  const VisitAll& visit_all) {
+    const LampShading lamps =
+        lamp_shading(world, record.surface, material, record.normal, -record.branch.ray.direction);
+    record.finish = lamps.finish;
+    const auto write = [&](const LightSample& sample, const Vec3& visible) {
+        record.lights.push_back({sample, visible, sent_on(lamps, sample, visible), std::nullopt});
+        if (lamps.finish) record.lights.back().lobe = lobe_towards(lamps, sample);
+    };
+    visit_all(record.normal, write);
+    if (shines_through(lamps)) visit_all(-record.normal, write);
 }
 
 /// Writes down what is seen at the hit by the numbers of a stream, or what the area light shows that is hit.
@@ -31,9 +38,13 @@ void shade_by_sample(const World& world, const Material& material, TraceRecord& 
     Stream again = stream;
     record.local =
         local_light(world, record.surface, material, record.normal, -ray.direction, ray.time, stream);
+    record.skylight = light_of_sky(world, material, record.normal);
+    record.spread = {world.needs.reflection ? gloss_of(world, material, false) : 0,
+                     world.needs.refraction ? gloss_of(world, material, true) : 0,
+                     facet_alpha(world, material)};
     if (!world.needs.lights) return;
-    const LightAsked asked{world, record.surface, record.normal, ray.time};
-    write_lights(material, record, [&](const auto& visit) {
+    write_lights(world, material, record, [&](const Vec3& side, const auto& visit) {
+        const LightAsked asked{world, record.surface, side, ray.time};
         visit_lamps(asked, visit);
         visit_area_lights(asked, again, visit);
     });
@@ -51,10 +62,12 @@ Material shade(const World& world, TraceRecord& record, Stream* stream) {
         shade_by_sample(world, material, record, *stream);
         return material;
     }
-    record.local = material.ambient + material.emission;
+    record.skylight = light_of_sky(world, material, record.normal);
+    record.local = material.ambient + material.emission + record.skylight;
     if (!world.needs.lights) return material;
-    write_lights(material, record,
-                 [&](const auto& visit) { visit_lights(world, record.surface, record.normal, visit); });
+    write_lights(world, material, record, [&](const Vec3& side, const auto& visit) {
+        visit_lights(world, record.surface, side, visit);
+    });
     for (const LightRecord& light : record.lights) record.local += light.contribution;
     return material;
 }

@@ -139,6 +139,16 @@ constexpr Synonym choices[] = {
     {"shadows false", "off"},
     {"shadows 1", "on"},
     {"shadows 0", "off"},
+    {"textured color", "diffuse"},
+    {"textured colour", "diffuse"},
+    {"textured albedo", "diffuse"},
+    {"textured kd", "diffuse"},
+    {"textured reflection", "specular"},
+    {"textured mirror", "specular"},
+    {"textured exponent", "shininess"},
+    {"textured glossiness", "gloss"},
+    {"textured alpha", "roughness"},
+    {"textured clearcoat", "coat"},
 };
 
 /// A word, and the chapter that brings it.
@@ -153,6 +163,15 @@ constexpr Later later[] = {
     {"nexteventestimation", "14"},    {"importancesampling", "14"}, {"russianroulette", "14"},
 };
 
+/// A word that means something, and why it is not to be had here.
+struct Refused {
+    std::string_view word, why;
+};
+
+constexpr Refused refused[] = {
+    {"textured ior", "a body has one index of refraction, by which light bends where it enters and leaves"},
+};
+
 bool same_word(std::string_view a, std::string_view b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_letter);
 }
@@ -163,6 +182,8 @@ std::string meaning(std::string_view word, const Synonym (&synonyms)[N]) {
         if (same_word(word, other)) return "; did you mean '" + std::string(here) + "'?";
     for (const auto& [other, chapter] : later)
         if (same_word(word, other)) return "; it comes with chapter " + std::string(chapter);
+    for (const auto& [other, why] : refused)
+        if (same_word(word, other)) return "; " + std::string(why);
     return "";
 }
 

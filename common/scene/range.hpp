@@ -1,6 +1,7 @@
 // How large and how small the numbers of a scene may be.
 #pragma once
 
+#include "common/math/ray.hpp"
 #include "common/math/vec.hpp"
 
 #include <cmath>
@@ -24,6 +25,9 @@ inline constexpr Real smallest_size = 1e-30;
 /// its shortest half-axis may be this much shorter than the way to the eye in a parallel projection. Rounding
 /// moves its rim by 4·2^-53 times as much: by a twentieth of a pixel in a picture of a thousand.
 inline constexpr Real most_flattening = 1e11;
+
+/// Numbers of a finish: a roughness, the index of refraction of a coat, the exponent of a lobe.
+inline constexpr Interval roughness_range{0, 1}, coat_range{1, 4}, gloss_range{0, 1e8};
 
 /// Whether the vector's coordinates are in range; false for NaN.
 inline bool in_range(const Vec3& v) {

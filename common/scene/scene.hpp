@@ -5,6 +5,7 @@
 #include "common/image/image.hpp"
 #include "common/scene/accelerators.hpp"
 #include "common/scene/area_lights.hpp"
+#include "common/scene/finishes.hpp"
 #include "common/scene/integrators.hpp"
 #include "common/scene/lens.hpp"
 #include "common/scene/sampling.hpp"
@@ -52,21 +53,6 @@ enum class Fresnel : std::uint8_t { None, Exact, Schlick };
 /// Which formula shapes a highlight.
 enum class Highlight : std::uint8_t { Blinn, Phong };
 
-/// How diffuse light is spread: evenly, or as a lobe of chapter 11 does.
-enum class FinishKind { Plain, Matte, Velvet, Metal, Coated, Glass };
-/// The formula by which the integrator `direct` reflects light.
-enum class Brdf { Phong, Ggx };
-/// What few materials ask for: how light is spread, where it is neither evenly nor as in a mirror.
-struct Finish {
-    FinishKind kind = FinishKind::Plain;
-    Real value = 0;         ///< the lobe's roughness, of Coated its index of refraction
-    Real gloss = 0;         ///< exponent of the lobe around the mirror direction; 0 is the direction alone
-    Real translucency = 0;  ///< likewise around the refracted direction
-    Brdf brdf = Brdf::Phong;
-    Real roughness = 1;  ///< of Ggx: α itself
-    friend bool operator==(const Finish&, const Finish&) = default;
-};
-
 /// Everything the material commands set. Colours are linear RGB.
 struct Material {
     Vec3 ambient{0.2};
@@ -81,7 +67,7 @@ struct Material {
     Vec3 transmission{0};         ///< weight of the refracted ray; zero is opaque
     Real ior = 1;                 ///< index of refraction inside
     std::int32_t finish = -1;     ///< index into Scene::finishes; −1 is plain
-    float finish_factor = 1;  ///< on its roughness, where a texture changes it; a Real would make lists of
+    float finish_factor = 1;  ///< at a place: on the finish's textured numbers; a Real would make lists of
                               ///< materials slower for all
     Vec3 absorption{0};       ///< Beer–Lambert coefficient inside, per world unit
     friend bool operator==(const Material&, const Material&) = default;

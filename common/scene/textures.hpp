@@ -54,7 +54,6 @@ struct ColorsOf {
     bool ambient = true, diffuse = true, emission = true;
     bool specular = false, transmission = false, absorption = false;
     bool shininess = false;  ///< by the first channel
-    bool finish = false;     ///< likewise its roughness
     friend bool operator==(const ColorsOf&, const ColorsOf&) = default;
 };
 

@@ -1,10 +1,12 @@
 // The export for POV-Ray: statements that mean the same there, and plain words where there are none.
 #include "common/povray/export.hpp"
 #include "common/povray/exposure.hpp"
+#include "common/render/integrators.hpp"
 #include "common/render/snapshots.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
-#include "tests/support.hpp"
+#include "tests/show.hpp"
+#include "tests/worlds.hpp"
 
 #include <fmt/format.h>
 
@@ -376,6 +378,29 @@ TEST_CASE("absorption is exported where POV-Ray's media reach", "[export]") {
         CHECK(error_of("maxdepth 0\ndirectional 0 1 0 1 1 1\ndiffuse 1 1 1\n" + water + "sphere 0 0 0 1\n")
                   .empty());
     }
+}
+
+TEST_CASE("absorption is refused where POV-Ray adds it up", "[export]") {
+    const std::string start = "background .8 .9 1\nambient 0 0 0\ntransmission 1 1 1\n",
+                      clear = "absorption 0 0 0\n", water = "absorption .3 .5 .1\n",
+                      glass = "absorption .1 .2 .6\n";
+    const std::string why = "absorption where it may be in one place with the transparent object of line ";
+    const auto is_refused = [&](const std::string& text) { return contains(error_of(start + text), why); };
+    // A ball of glass in a ball of water displaces it: straight through there are 1 of each.
+    const std::string nested = water + "sphere 0 0 0 1\n" + glass + "ior 1.4\nsphere 0 0 0 .5\n";
+    CHECK(is_refused(nested));
+    const World world = test::world_of("camera 0 0 5 0 0 0 0 1 0 40\nsize 1 1\n" + start + nested);
+    const Vec3 seen = color_along(world, {Vec3(0, 0, 5), Vec3(0, 0, -1)});
+    const Vec3 coefficients = Vec3(0.3, 0.5, 0.1) + Vec3(0.1, 0.2, 0.6);
+    CHECK(test::near(seen, Vec3(0.8, 0.9, 1) * glm::exp(-coefficients), 1e-12));
+    CHECK(is_refused(water + "sphere 0 0 0 1\n" + clear + "sphere 0 0 0 .5\n"));
+    CHECK_FALSE(is_refused(clear + "sphere 0 0 0 1\n" + water + "sphere 0 0 0 .5\n"));
+    // They overlap, as do half-spaces that are not parallel.
+    CHECK(is_refused(water + "sphere -.4 0 0 .9\n" + glass + "sphere .4 0 0 .9\n"));
+    CHECK(is_refused(clear + "sphere -.4 0 0 .9\n" + glass + "sphere .4 0 0 .9\n"));
+    CHECK_FALSE(is_refused(water + "sphere -1.4 0 0 .9\n" + glass + "sphere 1.4 0 0 .9\n"));
+    CHECK(is_refused(water + "plane 0 0 -2  .3 .1 -1\n" + glass + "plane 0 0 -9  .2 -.3 -1\n"));
+    CHECK_FALSE(is_refused("maxdepth 0\n" + nested));
 }
 
 TEST_CASE("bodies with fresnel that may be nested are refused", "[export]") {

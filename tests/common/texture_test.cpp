@@ -113,7 +113,11 @@ TEST_CASE("`textured` says which numbers are multiplied") {
     CHECK(pixel(picture_with(with + "textured specular\n" + lit + wall), 0, 0) == Vec3(1.25));
     CHECK(error_of("textured ambiant\n") ==
           "test.scene:3:10: 'ambiant' is not a known textured; did you mean 'ambient'?; expected: textured "
-          "ambient|diffuse|emission|specular|transmission|absorption|shininess|finish ...");
+          "ambient|diffuse|emission|specular|transmission|absorption|shininess|finish|coat|gloss|"
+          "translucency|roughness ...");
+    CHECK(error_of("textured ior\n")
+              .find("test.scene:3:10: 'ior' is not a known textured; a body has one index "
+                    "of refraction, by which light bends where it enters and leaves") == 0);
 }
 
 TEST_CASE("a pattern takes the place of the one before, and white ones are none") {
@@ -383,6 +387,36 @@ TEST_CASE("a normal map is kept only where normals are asked for, and a bad one 
     CHECK(
         refused ==
         "test.scene:4:1: POV-Ray cannot express this object: a normal map: its bump maps know heights only");
+}
+
+TEST_CASE("a normal map is averaged over a pixel, also where its normals are the picture") {
+    // Columns that lean to the left and to the right, eight to a pixel: together they lean nowhere.
+    const std::string map = normal_map_of("columns.pfm", 64, [](const Vec2& uv) {
+        return Vec3(static_cast<int>(uv.x * 64) % 2 == 0 ? 0.6 : -0.6, 0, 0.8);
+    });
+    const auto seen = [&](const std::string& filter) {
+        return picture_with("texturefilter " + filter + "\nnormalmap " + map + "\n" + shown_normals + wall);
+    };
+    const Vec3 straight(0.5, 0.5, 1);
+    for (const char* const filter : {"trilinear", "anisotropic"})
+        for (const Vec3& p : seen(filter).pixels) CHECK(test::near(p, straight, 1e-6));
+    for (const Vec3& p : seen("nearest").pixels) CHECK(std::abs(p.x - 0.5) > 0.2);
+}
+
+TEST_CASE("averaged textures are the same by scan conversion as by rays") {
+    const std::string map = normal_map_of("waving.pfm", 64, [](const Vec2& uv) {
+        return unit(Vec3(std::sin(uv.x * 40), std::cos(uv.y * 30), 1.5));
+    });
+    const std::string triangle =
+        "vertex -1 -1 0\nvertex 1 -1 -3\nvertex 0 1 0\nambient 1 1 1\ntexturefilter anisotropic\n";
+    const std::string mapped = "normalmap " + map + "\ntri 0 1 2\n",
+                      pictured = "texture " + map + "\ntri 0 1 2\n";
+    for (const std::string& shown :
+         {"integrator normals\n" + triangle + mapped, "integrator flat\n" + triangle + pictured}) {
+        INFO(shown);
+        const Image rays = picture_with(shown), scanned = picture_with("visibility rasterize\n" + shown);
+        CHECK(test::differing(rays, scanned, 1e-9) == 0);
+    }
 }
 
 TEST_CASE("for POV-Ray each part of a combination has its own coordinates") {

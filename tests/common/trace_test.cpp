@@ -119,6 +119,65 @@ TEST_CASE("the tree of a sample is what the renderer adds up, whatever is random
     }
 }
 
+TEST_CASE("a recorded tree says how finishes spread the light of lamps and of the sky") {
+    const std::string things =
+        "size 24 18\ncamera 0 2 5  0 .4 0  0 1 0  40\nmaxdepth 3\nskyGradient .1 .2 .4  .3 .3 .3  .1 .1 0\n"
+        "directional 1 2 1  .4 .4 .4\npoint 0 1 -3  .5 .5 .5\ndiffuse .5 .3 .2\nspecular .3 .3 .3\nior 1.5\n"
+        "plane 0 0 0  0 1 0\nsphere -.8 .6 0 .6\ntransmission .5 .5 .5\nsphere .8 .6 .4 .6\n";
+    const std::string area_light = "quadLight -1 3 -1  0 0 2  2 0 0  3 3 3\n";
+    for (const std::string finish : {"plain", "matte 1", "velvet .4", "metal .4", "coated 1.6", "glass .5"})
+        for (const std::string rest :
+             {"", "skylight on\n", "stripes .5 1 1 .25 1 1 .3\ntextured finish coat\n"})
+            for (const std::string& lights : {std::string(), area_light}) {
+                INFO("finish " << finish << "\n" << rest << lights);
+                const World world = test::world_of(lights + "finish " + finish + "\n" + rest + things);
+                std::size_t lobes = 0;
+                for (int y = 0; y < 18; ++y)
+                    for (int x = 0; x < 24; ++x) {
+                        const Ray ray = ray_of(world, x, y);
+                        const std::vector<TraceRecord> tree =
+                            lights.empty() ? trace_tree(world, ray) : trace_sample(world, ray, Stream());
+                        Vec3 sum(0);
+                        for (const TraceRecord& record : tree) {
+                            sum += record.weight * record.local;
+                            CHECK((record.skylight == Vec3(0) || world.needs.skylight));
+                            Vec3 of_lights(0);
+                            for (const LightRecord& light : record.lights) {
+                                of_lights += light.contribution;
+                                CHECK(light.lobe.has_value() == record.finish.has_value());
+                                lobes += light.lobe.has_value();
+                            }
+                            if (!record.hit || record.material >= world.materials.size()) continue;
+                            const Material& m = world.materials[record.material];
+                            const Vec3 all = m.ambient + m.emission + record.skylight + of_lights;
+                            if (record.local != Vec3(3) &&
+                                record.local != Vec3(0))  // of the area light itself
+                                CHECK(length(all - record.local) <= 1e-12 * length(all));
+                        }
+                        Stream stream;
+                        const Vec3 color = color_function(world)(world, ray, stream);
+                        CHECK(length(sum - color) <= 1e-12 * length(color));
+                    }
+                CHECK((lobes > 0) == (finish != "plain"));
+            }
+}
+
+TEST_CASE("a recorded tree says how far rays are spread, by the numbers of the place") {
+    const auto spread = [](const std::string& text) {
+        const World world = test::world_of(
+            "size 8 8\ncamera 0 0 4  0 0 0  0 1 0  20\ntransmission .5 .5 .5\n"
+            "ior 1.5\nspecular .5 .5 .5\nstripes .5 1 1 .5 1 1 1\n" +
+            text + "sphere 0 0 0 1\n");
+        return trace_sample(world, ray_of(world, 4, 4), Stream()).front().spread;
+    };
+    const SpreadRecord lobes = spread("gloss 40\ntranslucency 30\ntextured gloss\n");
+    CHECK(lobes.gloss == 20);
+    CHECK(lobes.translucency == 30);
+    CHECK(lobes.alpha == 0);
+    CHECK(spread("brdf ggx\nroughness .5\ntextured roughness\n").alpha == 0.25);
+    CHECK(spread("brdf ggx\nroughness .5\n").alpha == 0.5);
+}
+
 TEST_CASE("decisions change where something else is hit, and not inside of one surface") {
     const World world = test::world_of(R"(size 9 9
 camera 0 0 5  0 0 0  0 1 0  45

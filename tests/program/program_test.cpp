@@ -541,6 +541,36 @@ TEST_CASE("a solution is shown without its marks") {
     CHECK(object["solution"][0]["text"].get<std::string>().find("solve_quadratic(") != std::string::npos);
 }
 
+TEST_CASE(
+    "a tree says how surfaces spread light: finishes, the sky, lobes and facets, by the numbers there") {
+    const std::string wall =
+        "ambient 0 0 0\ndirectional 0 0 1 1 1 1\ndiffuse 1 1 1\nstripes .5 1 1 .5 1 1 1\n";
+    const auto trace = [&](const std::string& text) {
+        write_scene("spread.scene", wall + text + "disc 0 0 0 0 0 1 9\n");
+        const Outcome outcome = course("trace spread.scene 4 2");
+        CHECK(outcome.status == 0);
+        return outcome.out;
+    };
+    const auto says = [](const std::string& text, const std::string& line) {
+        INFO(text << "says not: " << line);
+        CHECK(text.find(line + "\n") != std::string::npos);
+    };
+    const std::string plain = trace("");
+    CHECK(plain.find("finish") == std::string::npos);
+    CHECK(plain.find("lobe") == std::string::npos);
+    says(trace("finish metal .8\n"), "  finish metal, roughness 0.8");
+    const std::string matte = trace("finish matte .8\ntextured finish\n");
+    says(matte, "  finish matte, roughness 0.4");
+    CHECK(matte.find(" of it visible, lobe (0.") != std::string::npos);
+    says(trace("finish coated 3\ntextured coat\n"), "  finish coated, index of refraction 1.5");
+    says(trace("skyGradient .5 .5 .5 .5 .5 .5 .5 .5 .5\nskylight on\n"),
+         "  light from the sky adds (0.25, 0.5, 0.5)");
+    says(trace("specular .5 .5 .5\ngloss 40\ntextured gloss\n"), "  spreads mirrored rays as cos^20");
+    says(trace("specular .5 .5 .5\nbrdf ggx\nroughness .6\n"), "  sends rays on by facets, alpha 0.6");
+    const json tree = json::parse(course("trace spread.scene 4 2 --json").out);
+    CHECK(tree["rays"][0]["facets"].get<double>() == 0.6);
+}
+
 TEST_CASE("the tree of a ray between two mirrors is as long as a person can use, and says that it goes on") {
     write_scene(
         "mirrors.scene",

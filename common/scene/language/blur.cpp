@@ -106,13 +106,13 @@ void set_shutter(Parser& parser) {
 
 void set_gloss(Parser& parser, Real Finish::*exponent, const char* noun) {
     parser.finish.*exponent = not_negative(parser, 1, noun);
-    if (parser.finish.*exponent > 1e8)
+    if (parser.finish.*exponent > gloss_range.max)
         fail(parser, parser.words[1], std::string(noun) + " is 1e8 at most: that is as good as a mirror");
 }
 
 void set_roughness(Parser& parser) {
     parser.finish.roughness = number(parser, 1);
-    if (!(parser.finish.roughness >= 0 && parser.finish.roughness <= 1))
+    if (!(parser.finish.roughness >= roughness_range.min && parser.finish.roughness <= roughness_range.max))
         fail(parser, parser.words[1],
              "the roughness must be from 0 to 1, not " + shown(parser.finish.roughness));
 }

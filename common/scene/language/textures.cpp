@@ -1,10 +1,9 @@
 // Commands of what varies a material from place to place, and of the sky.
 #include "common/scene/language/arguments.hpp"
 #include "common/scene/language/commands.hpp"
-#include "common/scene/range.hpp"
 #include "common/scene/text.hpp"
 
-#include <algorithm>
+#include <variant>
 
 namespace rt::language {
 
@@ -42,46 +41,51 @@ void set_pattern(Parser& parser) {
         parser.texturing.pattern = {kind, size, first, second};
 }
 
-/// The names after `textured`, each of a number of materials.
+/// A word after `textured`, and the number of materials that it names: a member of one of the two.
+struct TexturedWord {
+    std::string_view name;
+    std::variant<bool ColorsOf::*, bool TexturedFinish::*> value;
+};
+constexpr TexturedWord textured_words[] = {{"ambient", &ColorsOf::ambient},
+                                           {"diffuse", &ColorsOf::diffuse},
+                                           {"emission", &ColorsOf::emission},
+                                           {"specular", &ColorsOf::specular},
+                                           {"transmission", &ColorsOf::transmission},
+                                           {"absorption", &ColorsOf::absorption},
+                                           {"shininess", &ColorsOf::shininess},
+                                           {"finish", &TexturedFinish::finish},
+                                           {"coat", &TexturedFinish::coat},
+                                           {"gloss", &TexturedFinish::gloss},
+                                           {"translucency", &TexturedFinish::translucency},
+                                           {"roughness", &TexturedFinish::roughness}};
+
 void set_textured(Parser& parser) {
-    struct Name {
-        std::string_view name;
-        bool ColorsOf::*value;
-    };
-    static constexpr Name names[] = {
-        {"ambient", &ColorsOf::ambient},           {"diffuse", &ColorsOf::diffuse},
-        {"emission", &ColorsOf::emission},         {"specular", &ColorsOf::specular},
-        {"transmission", &ColorsOf::transmission}, {"absorption", &ColorsOf::absorption},
-        {"shininess", &ColorsOf::shininess},       {"finish", &ColorsOf::finish}};
-    ColorsOf chosen{false, false, false};
-    for (std::size_t i = 1; i < parser.words.size(); ++i) chosen.*choice(parser, names, i) = true;
-    parser.texturing.colors = chosen;
+    ColorsOf colors{false, false, false};
+    TexturedFinish finish;
+    for (std::size_t i = 1; i < parser.words.size(); ++i) {
+        const auto named = choice(parser, textured_words, i);
+        if (const auto* color = std::get_if<bool ColorsOf::*>(&named))
+            colors.*(*color) = true;
+        else
+            finish.*std::get<bool TexturedFinish::*>(named) = true;
+    }
+    parser.texturing.colors = colors;
+    parser.finish.textured = finish;
 }
 
-/// A word after `finish`, its value if none is said, and the range of that.
-struct FinishWord {
-    std::string_view name;
-    Finish value;
-    Real low, high;
-};
-constexpr FinishWord finishes[] = {{"plain", {}, 0, 0},
-                                   {"matte", {FinishKind::Matte, 0.5}, 0, 1},
-                                   {"velvet", {FinishKind::Velvet, 0.5}, 0, 1},
-                                   {"metal", {FinishKind::Metal, 0.3}, 0, 1},
-                                   {"coated", {FinishKind::Coated, 1.5}, 1, 4},
-                                   {"glass", {FinishKind::Glass, 0.3}, 0, 1}};
-
 void set_finish(Parser& parser) {
-    parser.finish = choice(parser, finishes);
+    Finish& finish = parser.finish;
+    finish.kind = choice(parser, finish_words);
+    const FinishWord& word = word_of(finish.kind);
+    finish.value = word.usual;
     if (parser.words.size() == 2) return;
-    if (parser.finish.kind == FinishKind::Plain)
+    if (finish.kind == FinishKind::Plain)
         fail(parser, parser.words[2], "'plain' has no value" + expected(parser));
-    const FinishWord& word = *std::ranges::find(finishes, parser.words[1], &FinishWord::name);
-    parser.finish.value = number(parser, 2);
-    if (!(parser.finish.value >= word.low && parser.finish.value <= word.high))
+    finish.value = number(parser, 2);
+    if (!(finish.value >= word.range.min && finish.value <= word.range.max))
         fail(parser, parser.words[2],
-             "the value of '" + std::string(word.name) + "' must be from " + shown(word.low) + " to " +
-                 shown(word.high) + ", not " + shown(parser.finish.value));
+             "the value of '" + std::string(word.name) + "' must be from " + shown(word.range.min) + " to " +
+                 shown(word.range.max) + ", not " + shown(finish.value));
 }
 
 void set_bumps(Parser& parser) {
@@ -122,10 +126,11 @@ const CommandRow rows[] = {
       "mean over a square as large as what a pixel sees; or over the shape that it sees, however long.",
       "11"},
      [](Parser& p) { p.texture_filter = choice(p, filters); }},
-    {{"textured", "ambient|diffuse|emission|specular|transmission|absorption|shininess|finish ...",
-      "For the objects that follow: which numbers of the material a texture or a pattern multiplies; "
-      "`shininess`, and the roughness of a `finish`, by its red channel. At first `textured ambient diffuse "
-      "emission`.",
+    {{"textured", alternatives(textured_words) + " ...",
+      "For the objects that follow: which numbers of the material a texture or a pattern multiplies. By its "
+      "red channel, and kept in their ranges: `shininess`, the roughness of a `finish`, the index of the "
+      "`coat` of `finish coated`, `gloss` and `translucency`, 0 of which is a sharp mirror or glass, and the "
+      "`roughness` of `brdf ggx`. At first `textured ambient diffuse emission`.",
       "11"},
      set_textured},
     {{"stripes", "r g b r g b size",
@@ -147,7 +152,7 @@ const CommandRow rows[] = {
     {{"cells", "r g b r g b size",
       "Likewise in cells about random points, about one in each cube of the size.", "11"},
      set_pattern<PatternKind::Cellular>},
-    {{"finish", alternatives(finishes) + " [value]",
+    {{"finish", alternatives(finish_words) + " [value]",
       "For the objects that follow: how they spread diffuse light under lamps, with the diffuse colour, 1 at "
       "most in each channel: `plain` evenly (default); `matte` as rough clay, its value the roughness from 0 "
       "to 1, else .5; `velvet`, likewise; `metal`, likewise, else .3; `coated` as paint under a clear coat, "
