@@ -22,7 +22,7 @@ namespace {
 constexpr double mistake_seconds = 60;
 
 /// Chapters whose messages are still to be written for students, and how many of their mistakes' are not.
-const std::map<std::string, std::size_t> still_unclear{{"10", 0}, {"11", 0}, {"12", 0}};
+const std::map<std::string, std::size_t> still_unclear{{"11", 17}, {"12", 6}};
 
 struct KnownMistake {
     std::string program;
