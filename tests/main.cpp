@@ -69,7 +69,9 @@ std::string describe(const Catch::AssertionStats& stats) {
     else if (result.hasMessage())
         text << result.getMessage();
     text << "\n" << relative_to_root(place.file) << ':' << place.line;
-    if (result.hasExpression()) text << ": " << result.getExpression();
+    // A condition that says itself what is wrong has said it.
+    if (result.hasExpression() && result.getExpression().find("or_say(") == std::string::npos)
+        text << ": " << result.getExpression();
     return text.str();
 }
 

@@ -209,7 +209,7 @@ inline std::string show(const Roots& roots) {
 
 /// Only what was set: a plane's hit has no uv.
 inline std::string show(const Hit& hit) {
-    std::string text = "hit of " + show(hit.primitive) + " at t = " + show(hit.t);
+    std::string text = "hit of number " + show(hit.primitive) + " at t = " + show(hit.t);
     if (hit.uv != Vec2(0)) text += ", uv " + show(hit.uv);
     if (hit.element != 0) text += ", element " + show(hit.element);
     return text;
@@ -350,7 +350,11 @@ std::string off_by(const glm::vec<N, Real>& actual, const glm::vec<N, Real>& exp
     }
     if (mirrored && !wrong_signs.empty()) return "the sign of " + wrong_signs + " is wrong";
     if (std::isinf(actual[worst]) || std::isinf(expected[worst])) return "";
-    const std::string ratio = ratio_in_words(actual[worst], expected[worst]);
+    // A ratio means something only if all have the same.
+    bool scaled = true;
+    for (int i = 0; i < N; ++i)
+        scaled = scaled && alike(actual[i] * expected[worst], actual[worst] * expected[i]);
+    const std::string ratio = scaled ? ratio_in_words(actual[worst], expected[worst]) : "";
     return std::string(names[worst]) + " is off by " + show_size(std::abs(actual[worst] - expected[worst])) +
            (ratio.empty() ? "" : ": " + ratio);
 }

@@ -51,10 +51,9 @@ Vec3 origin_as_color(const World&, const Ray& ray, Stream&) { return ray.origin;
 Vec3 cast_as_color(const World& world, const Ray& ray, Stream&) { return cast_ray(world, ray); }
 
 void check_color(int count, const Ray& ray, const Vec3& color) {
-    INFO("walls at z = -1 to -" << count
-                                << ", wall k with ambient k/8 and emission (0, 0, 0.25), background (0.5, "
-                                   "0.625, 0.75)\nthe colour of the "
-                                << ray);
+    INFO(count << " walls at z = -1, -2, ..., wall k with ambient k/8 and emission (0, 0, 0.25); background "
+                  "(0.5, 0.625, 0.75)\nthe colour of the "
+               << ray);
     CHECK(near_color(cast_ray(walls(count), ray), color, 0));
 }
 

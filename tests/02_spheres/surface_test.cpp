@@ -25,7 +25,8 @@ Surface seen(const Sphere& sphere, const Ray& ray) {
 
 void check_surface(const Sphere& sphere, const Ray& ray, const Vec3& point, const Vec3& normal) {
     const Surface surface = seen(sphere, ray);
-    INFO(sphere << ", " << ray << "\nexpected point " << point << ", normal " << normal);
+    INFO(sphere << ", " << ray << "\nexpected point " << point << ", normal " << normal << "; found a "
+                << surface);
     {
         INFO("the point");
         CHECK(test::near(surface.point, point, gamma(8) * (sphere.radius + length(sphere.center))));

@@ -338,8 +338,11 @@ TEST_CASE("from a smooth surface rays leave on the right side of its flat triang
                     or_say(std::abs(length(one.ray.direction) - 1) <= 16 * u, "its direction is not 1 long"));
                 sum += one.weight;
             }
-            INFO("ray along " << d << ": the sum of the weights of the rays that go on; no light is lost");
-            REQUIRE(near_color(sum, Vec3(1), 8 * u));
+            {
+                INFO("ray along " << d
+                                  << ": the sum of the weights of the rays that go on; no light is lost");
+                REQUIRE(near_color(sum, Vec3(1), 8 * u));
+            }
             if (leaving && next.count == 1) {
                 INFO("ray along " << show(d) << ", totally reflected along "
                                   << show(next.branch[0].ray.direction) << " inside the glass, the triangle "
@@ -463,7 +466,9 @@ TEST_CASE("glass absorbs along the way through it", "[07.6]") {
         world_of("background 1 1 1\ntransmission 1 .5 1\nior 1.5\nabsorption .1 .2 0\nsphere 0 0 0 1\n");
     const Vec3 expected(std::exp(-0.2), 0.25 * std::exp(-0.4), 1);
     const Vec3 color = radiance(world, forward);
-    INFO("the radiance of a ray straight through the middle");
+    INFO(
+        "a ball of glass, radius 1, transmission (1, 0.5, 1), absorption (0.1, 0.2, 0), on a white "
+        "background: the radiance straight through its middle");
     CHECK(near_color(color, expected, 32 * u));
 }
 
@@ -473,7 +478,9 @@ TEST_CASE("what glows in absorbing glass is dimmed on its way out, and not twice
         "transmission 0 0 0\nabsorption 0 0 0\nemission 1 1 1\nsphere 0 0 0 1\n");
     const Vec3 expected(std::exp(-1.0), std::exp(-2.0), std::exp(-4.0));
     const Vec3 color = radiance(world, forward);
-    INFO("the radiance of a ray straight through the middle");
+    INFO(
+        "a ball of radius 1 that glows white, in the middle of clear glass, radius 3, absorption (0.5, 1, "
+        "2): the radiance straight towards it");
     CHECK(near_color(color, expected, 32 * u));
 }
 

@@ -80,7 +80,9 @@ TEST_CASE("no part of a ray in a box is lost, and little is added, against exact
         const Interval exact{truth.near, truth.far};
         INFO("exact: " << (truth.inside ? "inside " : "outside ") << exact);
         INFO("actual: " << (actual ? "inside " : "outside ") << actual.value_or(Interval{}));
-        CHECK(or_say(!truth.lost, "a part of the ray that is in the box is lost by rounding"));
+        CHECK(or_say(!truth.lost,
+                     "a part of the ray that is in the box is lost, if only in the last digit: rounding must "
+                     "be allowed for"));
         INFO("by how much too much there is, in roundings of the distance");
         CHECK(truth.excess <= (truth.inside ? allowed : 2 * allowed));
         met += truth.inside ? 1 : 0;

@@ -45,7 +45,7 @@ TEST_CASE("values of the course are shown as what they hold, alone and in one an
     CHECK(stringify(std::optional<Hit>()) == "a miss");
     CHECK(stringify(std::optional<Vec3>()) == "nothing");
     CHECK(stringify(std::optional(Hit{.t = 4, .uv = Vec2(0.25, 0.5), .primitive = 3})) ==
-          "hit of 3 at t = 4, uv (0.25, 0.5)");
+          "hit of number 3 at t = 4, uv (0.25, 0.5)");
     CHECK(stringify(std::variant<Sphere, Plane>(Sphere{{1, 2, 3}, 4})) ==
           "sphere around (1, 2, 3) of radius 4");
     CHECK(stringify(Roots{2, 1, 3}) == "2 roots: t0 = 1, t1 = 3");
@@ -73,7 +73,8 @@ TEST_CASE("how far a value is off is told in units that mean something") {
     CHECK(test::off_by(std::nan(""), 2) == "not a number");
     CHECK(test::off_by(Vec3(1, -2, 3), Vec3(1, 2, 3)) == "the sign of y is wrong");
     CHECK(test::off_by(Vec3(-1, -2, 3), Vec3(1, 2, 3)) == "the sign of x and y is wrong");
-    CHECK(test::off_by(Vec2(1, 4), Vec2(1, 2)) == "y is off by 2: 2 times too much");
+    CHECK(test::off_by(Vec3(2, 4, 0), Vec3(1, 2, 0)) == "y is off by 2: 2 times too much");
+    CHECK(test::off_by(Vec2(1, 4), Vec2(1, 2)) == "y is off by 2");
     CHECK(test::off_by(Vec3(1, 2, std::nan("")), Vec3(1, 2, 3)) == "z is not a number");
     const auto direction = [](const Vec3& actual) {
         return test::off_by(actual, Vec3(1, 0, 0), test::Kind::Direction);
@@ -83,7 +84,7 @@ TEST_CASE("how far a value is off is told in units that mean something") {
     CHECK(direction({-1, 0, 0}) == "the opposite way");
     CHECK(direction({2, 0, 0}) == "the right way, but of length 2, not 1");
     CHECK(test::off_by(Vec3(0.5, 0.5, 0.25), Vec3(0.5), test::Kind::Color) ==
-          "the blue channel is off by 0.25: 2 times too little");
+          "the blue channel is off by 0.25");
 }
 
 TEST_CASE("a condition that failed is told in words: what came out, and what was expected") {
@@ -113,7 +114,7 @@ TEST_CASE("a condition may say itself what is wrong, and two searches whether th
     CHECK_FALSE(test::same_hit(Hit{.t = 1}, std::nullopt));
     CHECK_FALSE(test::same_hit(Hit{.t = 1, .primitive = 2}, Hit{.t = 1, .primitive = 3}));
     CHECK(stringify(test::same_hit(Hit{.t = 1, .primitive = 2}, std::nullopt)) ==
-          "hit of 2 at t = 1, expected a miss");
+          "hit of number 2 at t = 1, expected a miss");
 }
 
 TEST_CASE("what stands beside a condition is shown in the same way") {
