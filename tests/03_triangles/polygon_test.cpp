@@ -67,7 +67,10 @@ void check_miss(const Polygon& polygon, const Ray& ray, const Interval& range) {
 
 TEST_CASE("the plane of a square in the xy plane looks along +z, twice its area long", "[03.1]") {
     const Plane plane = supporting_plane(unit_square);
-    CHECK(plane.point == Vec3(0));
+    {
+        INFO("the point of the plane, the first corner");
+        CHECK(plane.point == Vec3(0));
+    }
     check_normal(unit_square, {0, 0, 2});
 }
 

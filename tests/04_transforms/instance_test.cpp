@@ -230,6 +230,7 @@ void check_hit(const std::optional<Hit>& hit, Real t, std::uint32_t primitive, s
 }  // namespace
 
 TEST_CASE("where there are no instances nothing is hit", "[04.6]") {
+    INFO("no instances at all");
     CHECK_FALSE(closest_hit(std::span<const Instance>(), {{0, 0, 5}, {0, 0, -1}}, ahead));
 }
 
@@ -238,6 +239,7 @@ TEST_CASE("an instance is hit where its mesh was moved to", "[04.6]") {
                                           instance_of(translation({8, 0, 2}), one_triangle())};
     check_hit(closest_hit(instances, {{0, 0, 5}, {0, 0, -1}}, ahead), 9, 0, 0);
     check_hit(closest_hit(instances, {{8, 0, 5}, {0, 0, -1}}, ahead), 3, 1, 0);
+    INFO("between two instances");
     CHECK_FALSE(closest_hit(instances, {{4, 0, 5}, {0, 0, -1}}, ahead));
 }
 
@@ -317,9 +319,11 @@ TEST_CASE("however far away a ray starts, the bounding sphere loses no hit, and 
         const Roots roots = intersections(mesh.bound, local);
         if (roots.count == 0 || roots.t1 <= range.min || roots.t0 > range.max) ++lost_by_roots;
     }
-    CAPTURE(hits, lost_by_roots);
-    CHECK(hits > all / 8);
-    INFO("the roots of the sphere itself have to lose some, else the cases show nothing");
+    {
+        INFO("how many of " << all << " rays hit");
+        CHECK(hits > all / 8);
+    }
+    INFO("how many the roots of the sphere itself lose; there have to be some, else the cases show nothing");
     CHECK(lost_by_roots > demanded(all / 1000, 0));
 }
 
@@ -417,7 +421,7 @@ TEST_CASE("an instance is hit where the mesh baked into the world is, by exact a
         INFO("by how much t is off");
         CHECK(error <= allowed);
     }
-    CAPTURE(hits, misses, undecided);
+    INFO("how many of " << cases(5000) << " rays hit, miss, or are too close to call");
     CHECK(hits > cases(5000) / 8);
     CHECK(misses > cases(5000) / 8);
     CHECK(undecided < cases(5000) / 8);

@@ -165,6 +165,8 @@ TEST_CASE("entering and leaving in any order ends outside", "[07.4]") {
                 inside.erase(at);
             else
                 inside.push_back(object);
+            INFO("object " << object
+                           << " was crossed: how many media the ray is inside of, and which, by entering");
             REQUIRE(media.size() == inside.size());
             for (std::size_t k = 0; k < inside.size(); ++k) REQUIRE(media[k].object == inside[k]);
         }

@@ -240,6 +240,7 @@ TEST_CASE("overlap with a sphere or triangle is never missed, and not made up", 
         check_overlaps(sphere, grown({on_sphere, on_sphere}, slack));
         (overlaps(t, box) ? yes : no) += 1;
     }
+    INFO("how many triangles overlap, and how many do not");
     CHECK(yes > cases(20'000) / 20);
     CHECK(no > cases(20'000) / 20);
 }

@@ -155,7 +155,8 @@ TEST_CASE("the walk is exact, and the one that adds up is not", "[09.6][stabilit
         farthest = std::max(farthest, error_of(cells_along(fine, ray, {})));
         farthest_added = std::max(farthest_added, error_of(naive::cells_along(fine, ray, {0, 990})));
     }
-    CAPTURE(wrong_when_adding, farthest, farthest_added);
+    INFO(
+        "how far outside of its cell the ray is at most, in roundings: by the walk, and by one that adds up");
     CHECK(farthest <= allowed_outside);
     CHECK(farthest_added > 4 * allowed_outside);
 }

@@ -126,7 +126,7 @@ void count(Verdict& verdict, const Case& item, Precise error, const std::string&
         std::snprintf(times, sizeof times, "%.3g", static_cast<Real>(error));
         count_mismatch(verdict, literal_of(item) + "\n  answered: " + answer + ", " +
                                     (error < 1e300 ? "off by " + std::string(times) + " times what is allowed"
-                                                   : "which is not what is so"));
+                                                   : "which is wrong by any measure"));
     }
 }
 
