@@ -9,6 +9,13 @@
 // known before its header takes the place of its template.
 namespace Catch::Detail {
 inline std::string stringify(double number) { return rt::test::show(number); }
+// And whole numbers are written without their hexadecimal digits.
+inline std::string stringify(int number) { return rt::test::show(number); }
+inline std::string stringify(unsigned number) { return rt::test::show(number); }
+inline std::string stringify(long number) { return rt::test::show(number); }
+inline std::string stringify(unsigned long number) { return rt::test::show(number); }
+inline std::string stringify(long long number) { return rt::test::show(number); }
+inline std::string stringify(unsigned long long number) { return rt::test::show(number); }
 }  // namespace Catch::Detail
 
 #if __has_include(<catch2/catch_all.hpp>)

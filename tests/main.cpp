@@ -5,6 +5,7 @@
 #include "common/math/printable.hpp"
 #include "common/math/todo.hpp"
 #include "tests/catch.hpp"
+#include "tests/condition.hpp"
 #include "tests/own_options.hpp"
 #include "tests/support.hpp"
 
@@ -51,24 +52,26 @@ std::string relative_to_root(std::string file) {
     return file.starts_with(root) ? file.substr(root.size()) : file;
 }
 
-/// What a failed assertion says, the place and the condition first, then values and what INFO captured.
+/// What a failed assertion says: what was asked, as INFO has it, what came out and what was expected, and at
+/// last where in the tests that stands.
 std::string describe(const Catch::AssertionStats& stats) {
     const Catch::AssertionResult& result = stats.assertionResult;
     const Catch::SourceLineInfo place = result.getSourceInfo();
     std::ostringstream text;
-    text << relative_to_root(place.file) << ':' << place.line << ':';
-    if (result.hasExpression()) text << ' ' << result.getExpressionInMacro();
-    if (result.getResultType() == Catch::ResultWas::ThrewException)
-        text << (result.hasExpression() ? "\nan exception came out: " : " an exception came out: ")
-             << result.getMessage();
-    else if (result.getResultType() == Catch::ResultWas::DidntThrowException)
-        text << "\nno exception came out";
-    else if (result.hasExpandedExpression())
-        text << "\nthat is: " << result.getExpandedExpression();
-    else if (result.hasMessage())
-        text << ' ' << result.getMessage();
     for (const Catch::MessageInfo& info : stats.infoMessages)
-        if (info.type == Catch::ResultWas::Info) text << '\n' << info.message;
+        if (info.type == Catch::ResultWas::Info) text << info.message << '\n';
+    if (result.getResultType() == Catch::ResultWas::ThrewException)
+        text << "an exception came out: " << result.getMessage();
+    else if (result.getResultType() == Catch::ResultWas::DidntThrowException)
+        text << "no exception came out";
+    else if (result.hasExpandedExpression())
+        text << "came out: " << in_words(result.getExpandedExpression());
+    else if (result.hasMessage())
+        text << result.getMessage();
+    text << "\n" << relative_to_root(place.file) << ':' << place.line;
+    // A condition that says itself what is wrong has said it.
+    if (result.hasExpression() && result.getExpression().find("or_say(") == std::string::npos)
+        text << ": " << result.getExpression();
     return text.str();
 }
 

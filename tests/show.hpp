@@ -18,6 +18,8 @@
 #include <charconv>
 #include <cmath>
 #include <concepts>
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -38,11 +40,19 @@ namespace rt::test {
 /// The fewest digits that tell the number from every other one: 0.1, 1e-20, -0.
 template <std::same_as<Real> Number>
 std::string show(Number x) {
+    if (std::isnan(x)) return "nan";
     char digits[32];
     return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
 }
 
 std::string show(std::integral auto number) { return std::to_string(number); }
+
+/// A size such as a tolerance, of which three digits say enough: 8.88e-16.
+inline std::string show_size(Real size) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.3g", size);
+    return digits;
+}
 
 /// (1, 2.5, -3)
 template <int N, class T, glm::qualifier Q>
@@ -204,7 +214,7 @@ inline std::string show(const Roots& roots) {
 
 /// Only what was set: a plane's hit has no uv.
 inline std::string show(const Hit& hit) {
-    std::string text = "hit of " + show(hit.primitive) + " at t = " + show(hit.t);
+    std::string text = "hit of number " + show(hit.primitive) + " at t = " + show(hit.t);
     if (hit.uv != Vec2(0)) text += ", uv " + show(hit.uv);
     if (hit.element != 0) text += ", element " + show(hit.element);
     return text;
@@ -281,6 +291,79 @@ inline std::string show(const SearchCounts& counts) {
     return show(counts.cells) + " cells, " + show(counts.shapes) + " shapes";
 }
 
+// How far a value is from what was expected.
+
+/// Which words tell how two vectors differ.
+enum class Kind { Place, Direction, Color };
+
+/// Equal but for a billionth: what this does not tell apart, no eye does.
+inline bool alike(Real a, Real b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
+
+/// "2 times too much", "the sign is wrong": a simple ratio says more than a difference; else nothing.
+inline std::string ratio_in_words(Real actual, Real expected) {
+    if (expected == 0 || !std::isfinite(actual) || !std::isfinite(expected)) return "";
+    if (alike(actual, -expected)) return "the sign is wrong";
+    for (int k = 2; k <= 10; ++k) {
+        if (alike(actual, k * expected)) return show(k) + " times too much";
+        if (alike(k * actual, expected)) return show(k) + " times too little";
+    }
+    return "";
+}
+
+/// "off by 0.8: the sign is wrong"
+inline std::string off_by(Real actual, Real expected, Kind = Kind::Place) {
+    if (std::isnan(actual)) return "not a number";
+    if (std::isinf(actual) || std::isinf(expected)) return "";
+    const std::string ratio = ratio_in_words(actual, expected);
+    return "off by " + show_size(std::abs(actual - expected)) + (ratio.empty() ? "" : ": " + ratio);
+}
+
+/// "41° off", "the opposite way", "of length 0.5", or nothing where neither angle nor length says it.
+inline std::string turned(const Vec3& actual, const Vec3& expected) {
+    const Real size = glm::length(actual), wanted = glm::length(expected);
+    if (!(size > 0 && wanted > 0) || std::isinf(size)) return "";
+    const Real angle = std::atan2(glm::length(glm::cross(actual, expected)), glm::dot(actual, expected));
+    std::string text;
+    if (angle > 1e-6) text = pi - angle < 1e-6 ? "the opposite way" : show_size(angle * 180 / pi) + "° off";
+    if (std::abs(size / wanted - 1) > 1e-6)
+        text += (text.empty() ? "the right way, but of length " : ", and of length ") + show_size(size) +
+                ", not " + show_size(wanted);
+    return text;
+}
+
+/// The coordinate that is farthest off, by how much, and where it is as simple as that, why.
+template <int N>
+std::string off_by(const glm::vec<N, Real>& actual, const glm::vec<N, Real>& expected,
+                   Kind kind = Kind::Place) {
+    if constexpr (N == 3)
+        if (kind == Kind::Direction)
+            if (const std::string text = turned(actual, expected); !text.empty()) return text;
+    const char* const channels[] = {"the red channel", "the green channel", "the blue channel", "alpha"};
+    const char* const axes[] = {"x", "y", "z", "w"};
+    const char* const* names = kind == Kind::Color ? channels : axes;
+    int worst = 0;
+    bool mirrored = true;
+    std::string wrong_signs;
+    for (int i = 0; i < N; ++i) {
+        const Real off = std::abs(actual[i] - expected[i]);
+        if (std::isnan(actual[i])) return std::string(names[i]) + " is not a number";
+        if (std::isnan(off)) return "";
+        if (off > std::abs(actual[worst] - expected[worst])) worst = i;
+        mirrored = mirrored && (alike(actual[i], expected[i]) || alike(actual[i], -expected[i]));
+        if (expected[i] != 0 && alike(actual[i], -expected[i]))
+            wrong_signs += (wrong_signs.empty() ? "" : " and ") + std::string(names[i]);
+    }
+    if (mirrored && !wrong_signs.empty()) return "the sign of " + wrong_signs + " is wrong";
+    if (std::isinf(actual[worst]) || std::isinf(expected[worst])) return "";
+    // A ratio means something only if all have the same.
+    bool scaled = true;
+    for (int i = 0; i < N; ++i)
+        scaled = scaled && alike(actual[i] * expected[worst], actual[worst] * expected[i]);
+    const std::string ratio = scaled ? ratio_in_words(actual[worst], expected[worst]) : "";
+    return std::string(names[worst]) + " is off by " + show_size(std::abs(actual[worst] - expected[worst])) +
+           (ratio.empty() ? "" : ": " + ratio);
+}
+
 /// What `near` answers: as a condition true or false, and in a message all that was compared.
 template <class Value>
 struct Nearness {
@@ -288,24 +371,59 @@ struct Nearness {
     Value expected;
     Real bound = 0;
     bool near = false;
+    Kind kind = Kind::Place;
     operator bool() const { return near; }
 };
 
 /// Whether `actual` is within `bound` of `expected`, a vector in each coordinate; false for NaN.
 inline Nearness<Real> near(Real actual, Real expected, Real bound) {
-    return {actual, expected, bound, std::abs(actual - expected) <= bound};
+    return {actual, expected, bound, actual == expected || std::abs(actual - expected) <= bound};
 }
 inline Nearness<Vec2> near(const Vec2& actual, const Vec2& expected, Real bound) {
     return {actual, expected, bound, glm::all(glm::lessThanEqual(glm::abs(actual - expected), Vec2(bound)))};
 }
-inline Nearness<Vec3> near(const Vec3& actual, const Vec3& expected, Real bound) {
-    return {actual, expected, bound, glm::all(glm::lessThanEqual(glm::abs(actual - expected), Vec3(bound)))};
+inline Nearness<Vec3> near(const Vec3& actual, const Vec3& expected, Real bound, Kind kind = Kind::Place) {
+    return {actual, expected, bound, glm::all(glm::lessThanEqual(glm::abs(actual - expected), Vec3(bound))),
+            kind};
 }
+
+/// The same of directions and of colours, whose differences are told as such.
+inline Nearness<Vec3> near_direction(const Vec3& actual, const Vec3& expected, Real bound) {
+    return near(actual, expected, bound, Kind::Direction);
+}
+inline Nearness<Vec3> near_color(const Vec3& actual, const Vec3& expected, Real bound) {
+    return near(actual, expected, bound, Kind::Color);
+}
+
+/// Whether two searches have found the same: nothing, or the same shape at the same distance.
+inline Nearness<std::optional<Hit>> same_hit(const std::optional<Hit>& actual,
+                                             const std::optional<Hit>& expected) {
+    const bool same = actual.has_value() == expected.has_value() &&
+                      (!actual || (actual->t == expected->t && actual->primitive == expected->primitive));
+    return {actual, expected, 0, same};
+}
+
+/// A condition that a message tells in words: where it does not hold, `wrong` says what is so instead.
+struct Told {
+    bool holds = false;
+    std::string wrong;
+    operator bool() const { return holds; }
+};
+inline Told or_say(bool holds, std::string wrong) { return {holds, std::move(wrong)}; }
+
+inline std::string show(const Told& told) { return told.wrong; }
+
+inline std::string show(const std::optional<Hit>& hit) { return hit ? show(*hit) : "a miss"; }
 
 template <class Value>
 std::string show(const Nearness<Value>& nearness) {
-    return show(nearness.actual) + ", expected " + show(nearness.expected) +
-           (nearness.bound > 0 ? " +- " + show(nearness.bound) : "");
+    std::string text = show(nearness.actual) + ", expected " + show(nearness.expected) +
+                       (nearness.bound > 0 ? " +- " + show_size(nearness.bound) : "");
+    if constexpr (requires { off_by(nearness.actual, nearness.expected, nearness.kind); })
+        if (const std::string off = off_by(nearness.actual, nearness.expected, nearness.kind);
+            !off.empty() && !nearness.near)
+            text += "\n" + off;
+    return text;
 }
 
 /// What `show` knows: all of the above, and what holds it.

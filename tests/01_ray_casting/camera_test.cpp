@@ -54,34 +54,34 @@ Real sine(const Vec3& a, const Vec3& b) {
 TEST_CASE("a camera that looks along -z has the world's axes", "[01.1]") {
     const CameraFrame frame = camera_frame(camera_at({0, 0, 5}, {0, 0, 0}));
     INFO("eye (0, 0, 5), look at (0, 0, 0), up (0, 1, 0)\n" << show(frame));
-    CHECK(near(frame.u, {1, 0, 0}, 4 * u_round));
-    CHECK(near(frame.v, {0, 1, 0}, 4 * u_round));
-    CHECK(near(frame.w, {0, 0, 1}, 4 * u_round));
+    CHECK(near_direction(frame.u, {1, 0, 0}, 4 * u_round));
+    CHECK(near_direction(frame.v, {0, 1, 0}, 4 * u_round));
+    CHECK(near_direction(frame.w, {0, 0, 1}, 4 * u_round));
 }
 
 TEST_CASE("a camera on the x axis that looks at the origin has -z on its right", "[01.1]") {
     const CameraFrame frame = camera_frame(camera_at({3, 0, 0}, {0, 0, 0}));
     INFO("eye (3, 0, 0), look at (0, 0, 0), up (0, 1, 0)\n" << show(frame));
-    CHECK(near(frame.u, {0, 0, -1}, 4 * u_round));
-    CHECK(near(frame.v, {0, 1, 0}, 4 * u_round));
-    CHECK(near(frame.w, {1, 0, 0}, 4 * u_round));
+    CHECK(near_direction(frame.u, {0, 0, -1}, 4 * u_round));
+    CHECK(near_direction(frame.v, {0, 1, 0}, 4 * u_round));
+    CHECK(near_direction(frame.w, {1, 0, 0}, 4 * u_round));
 }
 
 TEST_CASE("up need not be perpendicular to the view", "[01.1]") {
     // The camera looks down on the origin along (0, -3, -4), which is 5 long.
     const CameraFrame frame = camera_frame(camera_at({0, 3, 4}, {0, 0, 0}));
     INFO("eye (0, 3, 4), look at (0, 0, 0), up (0, 1, 0)\n" << show(frame));
-    CHECK(near(frame.u, {1, 0, 0}, 4 * u_round));
-    CHECK(near(frame.v, {0, 0.8, -0.6}, 8 * u_round));
-    CHECK(near(frame.w, {0, 0.6, 0.8}, 4 * u_round));
+    CHECK(near_direction(frame.u, {1, 0, 0}, 4 * u_round));
+    CHECK(near_direction(frame.v, {0, 0.8, -0.6}, 8 * u_round));
+    CHECK(near_direction(frame.w, {0, 0.6, 0.8}, 4 * u_round));
 }
 
 TEST_CASE("a camera held upside down has its right on the other side", "[01.1]") {
     const CameraFrame frame = camera_frame(camera_at({0, 0, 5}, {0, 0, 0}, {0, -2, 0}));
     INFO("eye (0, 0, 5), look at (0, 0, 0), up (0, -2, 0)\n" << show(frame));
-    CHECK(near(frame.u, {-1, 0, 0}, 4 * u_round));
-    CHECK(near(frame.v, {0, -1, 0}, 4 * u_round));
-    CHECK(near(frame.w, {0, 0, 1}, 4 * u_round));
+    CHECK(near_direction(frame.u, {-1, 0, 0}, 4 * u_round));
+    CHECK(near_direction(frame.v, {0, -1, 0}, 4 * u_round));
+    CHECK(near_direction(frame.w, {0, 0, 1}, 4 * u_round));
 }
 
 TEST_CASE("every camera frame is orthonormal and right-handed, and looks where it should", "[01.1]") {
@@ -114,11 +114,11 @@ TEST_CASE("every camera frame is orthonormal and right-handed, and looks where i
             INFO("eye " << show(camera.eye) << ", look at " << show(camera.look_at) << ", up "
                         << show(camera.up) << "\n"
                         << show(frame) << "\nallowed error " << show(bound));
-            CHECK(unit);
-            CHECK(perpendicular);
-            CHECK(right_handed);
-            CHECK(backwards);
-            REQUIRE(upright);
+            CHECK(or_say(unit, "u, v or w is not 1 long"));
+            CHECK(or_say(perpendicular, "u, v and w are not perpendicular to one another"));
+            CHECK(or_say(right_handed, "u x v is not w"));
+            CHECK(or_say(backwards, "w does not point from what is looked at to the eye"));
+            REQUIRE(or_say(upright, "v does not point up, or u has a part along up"));
             return;
         }
     }
@@ -136,7 +136,7 @@ TEST_CASE("a camera frame does not depend on the unit of length, to the bit", "[
         const bool same = frame.u == scaled.u && frame.v == scaled.v && frame.w == scaled.w;
         if (!same) {
             INFO("scale " << show(scale) << "\n" << show(frame) << "\nscaled:\n" << show(scaled));
-            REQUIRE(same);
+            REQUIRE(or_say(same, "the frame is another in another unit of length"));
         }
     }
     SUCCEED();
@@ -146,25 +146,29 @@ TEST_CASE("the ray through the middle of the picture looks along -w", "[01.2]") 
     View view = plain_view(640, 480, 0.75);
     view.eye = {1, 2, 3};
     const Ray ray = pixel_ray(view, 320, 240);
-    INFO(show(ray));
+    INFO("640 x 480 pixels, the eye at (1, 2, 3), the point (320, 240): " << ray);
     CHECK(ray.origin == Vec3(1, 2, 3));
-    CHECK(near(ray.direction, {0, 0, -1}, 4 * u_round));
+    CHECK(near_direction(ray.direction, {0, 0, -1}, 4 * u_round));
 }
 
 TEST_CASE("the rays through the corners of a 4 x 2 picture", "[01.2]") {
     // A field of view of 90 degrees: the image plane at distance 1 goes from -1 to 1, and from -2 to 2.
     const View view = plain_view(4, 2, 1);
-    const Real length = std::sqrt(6.0);
-    CHECK(near(pixel_ray(view, 0, 0).direction, Vec3(-2, 1, -1) / length, 4 * u_round));
-    CHECK(near(pixel_ray(view, 4, 0).direction, Vec3(2, 1, -1) / length, 4 * u_round));
-    CHECK(near(pixel_ray(view, 0, 2).direction, Vec3(-2, -1, -1) / length, 4 * u_round));
-    CHECK(near(pixel_ray(view, 4, 2).direction, Vec3(2, -1, -1) / length, 4 * u_round));
+    const auto check = [&](const char* corner, Real x, Real y, const Vec3& on_plane) {
+        INFO("the direction of the ray through the " << corner << " corner, the point (" << x << ", " << y
+                                                     << "), where the image plane has " << on_plane);
+        CHECK(near_direction(pixel_ray(view, x, y).direction, on_plane / std::sqrt(6.0), 4 * u_round));
+    };
+    check("top left", 0, 0, {-2, 1, -1});
+    check("top right", 4, 0, {2, 1, -1});
+    check("bottom left", 0, 2, {-2, -1, -1});
+    check("bottom right", 4, 2, {2, -1, -1});
 }
 
 TEST_CASE("the ray through the centre of the top left pixel of a 4 x 2 picture", "[01.2]") {
     const Ray ray = pixel_ray(plain_view(4, 2, 1), 0.5, 0.5);
-    INFO(show(ray));
-    CHECK(near(ray.direction, Vec3(-1.5, 0.5, -1) / std::sqrt(3.5), 4 * u_round));
+    INFO("half height 1, the point (0.5, 0.5), where the image plane has (-1.5, 0.5, -1): " << ray);
+    CHECK(near_direction(ray.direction, Vec3(-1.5, 0.5, -1) / std::sqrt(3.5), 4 * u_round));
 }
 
 TEST_CASE("the frame turns the rays", "[01.2]") {
@@ -173,9 +177,9 @@ TEST_CASE("the frame turns the rays", "[01.2]") {
     view.frame = {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
     view.eye = {3, 0, 0};
     const Ray ray = pixel_ray(view, 2, 1);
-    INFO(show(ray));
+    INFO("the middle of the right edge of 2 x 2 pixels, u = -z, v = y, w = x: " << ray);
     CHECK(ray.origin == Vec3(3, 0, 0));
-    CHECK(near(ray.direction, Vec3(-1, 0, -1) / std::sqrt(2.0), 4 * u_round));
+    CHECK(near_direction(ray.direction, Vec3(-1, 0, -1) / std::sqrt(2.0), 4 * u_round));
 }
 
 TEST_CASE("the middles of the top and bottom edge are the field of view apart", "[01.2]") {
@@ -189,8 +193,8 @@ TEST_CASE("the middles of the top and bottom edge are the field of view apart", 
         const Real angle = 2 * std::atan2(glm::length(top - bottom), glm::length(top + bottom));
         // Both vectors are off by some roundings of their length 1, and so is the angle between them.
         if (!(std::abs(angle - fovy) <= 32 * u_round)) {
-            INFO("field of view " << show(fovy) << ", angle " << show(angle));
-            REQUIRE(std::abs(angle - fovy) <= 32 * u_round);
+            INFO("the angle between the two rays, which is the field of view");
+            REQUIRE(near(angle, fovy, 32 * u_round));
         }
     }
     SUCCEED();
@@ -216,8 +220,8 @@ TEST_CASE("every perspective ray has length 1 and passes through its point of th
             INFO(view.width << " x " << view.height << " pixels, half height " << show(view.half_height)
                             << ", point (" << show(x) << ", " << show(y) << ")\n"
                             << show(ray));
-            CHECK(unit);
-            CHECK(through);
+            CHECK(or_say(unit, "the direction is not 1 long"));
+            CHECK(or_say(through, "the ray does not pass through its point of the image plane"));
             REQUIRE(ray.origin == view.eye);
             return;
         }
@@ -234,9 +238,10 @@ TEST_CASE("pixels are square and evenly spaced, from left to right and from top 
     };
     for (int i = 0; i < 199; ++i) {
         const Vec2 here = on_plane(i + 0.5, i + 0.5), next = on_plane(i + 1.5, i + 1.5);
-        INFO("from pixel " << i << " to the next, right and down");
-        REQUIRE(std::abs(next.x - here.x - pixel) <= 16 * u_round);
-        REQUIRE(std::abs(here.y - next.y - pixel) <= 16 * u_round);
+        INFO("how far it is on the image plane from pixel (" << i << ", " << i << ") to (" << i + 1 << ", "
+                                                             << i + 1 << "), to the right and down");
+        REQUIRE(near(next.x - here.x, pixel, 16 * u_round));
+        REQUIRE(near(here.y - next.y, pixel, 16 * u_round));
     }
 }
 
@@ -249,8 +254,8 @@ TEST_CASE("pixels that mirror each other have rays that mirror each other", "[01
             const Vec3 below = pixel_ray(view, x + 0.5, view.height - y - 0.5).direction;
             INFO("pixel (" << x << ", " << y << "): " << show(d) << "\nacross the middle " << show(across)
                            << ", below it " << show(below));
-            REQUIRE(near(across, {-d.x, d.y, d.z}, 16 * u_round));
-            REQUIRE(near(below, {d.x, -d.y, d.z}, 16 * u_round));
+            REQUIRE(near_direction(across, {-d.x, d.y, d.z}, 16 * u_round));
+            REQUIRE(near_direction(below, {d.x, -d.y, d.z}, 16 * u_round));
         }
     }
 }
@@ -278,18 +283,22 @@ TEST_CASE("the orthographic ray through the centre of the top left pixel of a 4 
     View view = plain_view(4, 2, 1, Projection::Orthographic);
     view.eye = {10, 20, 30};
     const Ray ray = pixel_ray(view, 0.5, 0.5);
-    INFO(show(ray));
+    INFO("the eye is at (10, 20, 30); a ray starts beside it, and runs along -w: " << ray);
     CHECK(near(ray.origin, {10 - 1.5, 20 + 0.5, 30}, 64 * u_round));
-    CHECK(ray.direction == Vec3(0, 0, -1));
+    CHECK(near_direction(ray.direction, {0, 0, -1}, 0));
 }
 
 TEST_CASE("an orthographic picture is as high as the view says, and wide as its pixels are square",
           "[01.3]") {
     const View view = plain_view(4, 2, 3, Projection::Orthographic);
-    CHECK(near(pixel_ray(view, 0, 0).origin, {-6, 3, 0}, 16 * u_round));
-    CHECK(near(pixel_ray(view, 4, 0).origin, {6, 3, 0}, 16 * u_round));
-    CHECK(near(pixel_ray(view, 0, 2).origin, {-6, -3, 0}, 16 * u_round));
-    CHECK(near(pixel_ray(view, 4, 2).origin, {6, -3, 0}, 16 * u_round));
+    const auto check = [&](const char* corner, Real x, Real y, const Vec3& origin) {
+        INFO("where the ray through the " << corner << " corner starts, half height 3");
+        CHECK(near(pixel_ray(view, x, y).origin, origin, 16 * u_round));
+    };
+    check("top left", 0, 0, {-6, 3, 0});
+    check("top right", 4, 0, {6, 3, 0});
+    check("bottom left", 0, 2, {-6, -3, 0});
+    check("bottom right", 4, 2, {6, -3, 0});
 }
 
 TEST_CASE("all orthographic rays are parallel and start on the plane through the eye", "[01.3]") {

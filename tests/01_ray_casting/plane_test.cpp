@@ -39,70 +39,86 @@ Case random_case(Random& random) {
             {far * random.in_cube(), random.magnitude(-20, 20) * random.direction()}};
 }
 
+void check_hit(const Plane& plane, const Ray& ray, const Interval& range, Real t, Real bound = 0) {
+    INFO(plane << ", " << ray << " in " << range << ": the t of the hit");
+    const std::optional<Hit> hit = intersect(plane, ray, range);
+    REQUIRE(hit);
+    CHECK(near(hit->t, t, bound));
+}
+
+void check_miss(const Plane& plane, const Ray& ray, const Interval& range) {
+    INFO(plane << ", " << ray << " in " << range);
+    CHECK_FALSE(intersect(plane, ray, range));
+}
+
+/// Which of several walls is hit, and where.
+void check_nearest(const std::vector<Plane>& walls, const Ray& ray, const Interval& range,
+                   std::uint32_t primitive, Real t) {
+    std::string text = "walls in this order:";
+    for (const Plane& wall : walls) text += "\n  " + show(wall);
+    INFO(text << "\n" << ray << " in " << range << "; primitive is the wall's place in the list, from 0");
+    CHECK(same_hit(closest_hit(walls, ray, range), Hit{.t = t, .primitive = primitive}));
+}
+
+/// Nothing is hit, neither first nor at all.
+void check_none(const std::vector<Plane>& walls, const Ray& ray, const Interval& range) {
+    INFO(walls.size() << " planes, " << ray << " in " << range);
+    CHECK_FALSE(closest_hit(walls, ray, range));
+    CHECK(or_say(!any_hit(walls, ray, range), "any_hit says that something is hit, expected nothing"));
+}
+
 }  // namespace
 
 TEST_CASE("a ray straight down meets the ground at its height", "[01.4]") {
-    const auto hit = intersect(ground, {{0, 1, 0}, {0, -1, 0}}, everything);
-    REQUIRE(hit);
-    CHECK(hit->t == 1);
+    check_hit(ground, {{0, 1, 0}, {0, -1, 0}}, everything, 1);
 }
 
 TEST_CASE("t counts in lengths of the direction", "[01.4]") {
-    const auto hit = intersect(ground, {{0, 1, 0}, {0, -0.5, 0}}, everything);
-    REQUIRE(hit);
-    CHECK(hit->t == 2);
+    check_hit(ground, {{0, 1, 0}, {0, -0.5, 0}}, everything, 2);
 }
 
 TEST_CASE("a slanted ray meets a slanted plane", "[01.4]") {
     // (0, 0, 0) + t (1, 1, 1) lies on x + y + z = 6 at t = 2.
-    const auto hit = intersect(Plane{{1, 2, 3}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}, everything);
-    REQUIRE(hit);
-    CHECK(std::abs(hit->t - 2) <= 8 * unit_roundoff * 2);
+    check_hit(Plane{{1, 2, 3}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}, everything, 2, 8 * unit_roundoff * 2);
 }
 
 TEST_CASE("a plane is hit from both sides", "[01.4]") {
-    const auto hit = intersect(ground, {{5, -3, 2}, {0, 1, 0}}, everything);
-    REQUIRE(hit);
-    CHECK(hit->t == 3);
+    check_hit(ground, {{5, -3, 2}, {0, 1, 0}}, everything, 3);
 }
 
 TEST_CASE("a ray parallel to the plane misses it, also inside the plane", "[01.4]") {
-    CHECK_FALSE(intersect(ground, {{0, 1, 0}, {1, 0, 0}}, everything));
-    CHECK_FALSE(intersect(ground, {{0, 0, 0}, {1, 0, 0}}, everything));
-    CHECK_FALSE(intersect(Plane{{0, 0, 0}, {1, -1, 0}}, {{0, 1, 0}, {2, 2, 5}}, everything));
+    check_miss(ground, {{0, 1, 0}, {1, 0, 0}}, everything);
+    check_miss(ground, {{0, 0, 0}, {1, 0, 0}}, everything);
+    check_miss(Plane{{0, 0, 0}, {1, -1, 0}}, {{0, 1, 0}, {2, 2, 5}}, everything);
 }
 
 TEST_CASE("a plane behind the ray is missed", "[01.4]") {
-    CHECK_FALSE(intersect(ground, {{0, 1, 0}, {0, 1, 0}}, everything));
+    check_miss(ground, {{0, 1, 0}, {0, 1, 0}}, everything);
 }
 
 TEST_CASE("a nearly parallel ray still hits, far away", "[01.4]") {
-    const auto hit = intersect(ground, {{0, 1, 0}, {1, -1e-15, 0}}, everything);
-    REQUIRE(hit);
-    CHECK(std::abs(hit->t - 1e15) <= 8 * unit_roundoff * 1e15);
+    check_hit(ground, {{0, 1, 0}, {1, -1e-15, 0}}, everything, 1e15, 8 * unit_roundoff * 1e15);
 }
 
 TEST_CASE("a ray that starts on the plane does not hit it there", "[01.4]") {
-    CHECK_FALSE(intersect(ground, {{7, 0, 7}, {1, -1, 0}}, everything));
+    check_miss(ground, {{7, 0, 7}, {1, -1, 0}}, everything);
 }
 
 TEST_CASE("far from the origin a plane is hit as exactly as near it", "[01.4]") {
     // Positions cancel; subtract them first, while they are exact, and not their products with the normal.
     const Vec3 far(1e9, 2e9, -3e9);
-    const auto hit = intersect(Plane{far, {0.1, 0.2, 0.3}}, {far + Vec3(0, 0, 1), {0, 0, -1}}, everything);
-    REQUIRE(hit);
-    INFO("t = " << show(hit->t) << ", expected 1");
-    CHECK(std::abs(hit->t - 1) <= 8 * unit_roundoff);
+    check_hit(Plane{far, {0.1, 0.2, 0.3}}, {far + Vec3(0, 0, 1), {0, 0, -1}}, everything, 1,
+              8 * unit_roundoff);
 }
 
 TEST_CASE("the range leaves its beginning out and takes its end in", "[01.4]") {
     const Ray ray{{0, 2, 0}, {0, -1, 0}};  // meets the ground at t = 2
     const Real below = std::nextafter(2.0, 0.0), above = std::nextafter(2.0, 3.0);
-    CHECK_FALSE(intersect(ground, ray, {2, 3}));
-    CHECK(intersect(ground, ray, {below, 3}));
-    CHECK(intersect(ground, ray, {1, 2}));
-    CHECK_FALSE(intersect(ground, ray, {1, below}));
-    CHECK(intersect(ground, ray, {1, above}));
+    check_miss(ground, ray, {2, 3});
+    check_hit(ground, ray, {below, 3}, 2);
+    check_hit(ground, ray, {1, 2}, 2);
+    check_miss(ground, ray, {1, below});
+    check_hit(ground, ray, {1, above}, 2);
 }
 
 TEST_CASE("neither the length nor the sign of the normal matters", "[01.4]") {
@@ -114,8 +130,8 @@ TEST_CASE("neither the length nor the sign of the normal matters", "[01.4]") {
         const auto other = intersect(Plane{plane.point, factor * plane.normal}, ray, everything);
         const bool same = hit.has_value() == other.has_value() && (!hit || hit->t == other->t);
         if (!same) {
-            INFO(show(plane) << "\n" << show(ray) << "\nnormal times " << show(factor));
-            REQUIRE(same);
+            INFO(plane << "\n" << ray << ": " << hit << "\nnormal times " << factor);
+            REQUIRE(same_hit(other, hit));
         }
     }
     SUCCEED();
@@ -131,8 +147,8 @@ TEST_CASE("t does not depend on the unit of length, to the bit", "[01.4]") {
                                      {scale * ray.origin, scale * ray.direction}, everything);
         const bool same = hit.has_value() == other.has_value() && (!hit || hit->t == other->t);
         if (!same) {
-            INFO(show(plane) << "\n" << show(ray) << "\nlengths times " << show(scale));
-            REQUIRE(same);
+            INFO(plane << "\n" << ray << ": " << hit << "\nlengths times " << scale);
+            REQUIRE(same_hit(other, hit));
         }
     }
     SUCCEED();
@@ -163,11 +179,12 @@ TEST_CASE("t is right for planes and rays of every size", "[01.4]") {
                            (!hit || std::abs(hit->t - exact) <= 8 * kappa * unit_roundoff * exact);
         ++(hit ? hits : misses);
         if (!right) {
-            INFO(show(plane) << "\n"
-                             << show(ray) << "\nexpected t = " << show(static_cast<Real>(exact))
-                             << (exact > 0 ? "" : ", a miss") << ", actual "
-                             << (hit ? show(hit->t) : "a miss"));
-            REQUIRE(right);
+            INFO(plane << "\n"
+                       << ray << "\nexpected t = " << static_cast<Real>(exact)
+                       << (exact > 0 ? "" : ", which is a miss"));
+            REQUIRE(or_say(
+                right, show(hit) + (hit ? ", off by " + show_size(static_cast<Real>(std::abs(hit->t - exact)))
+                                        : "")));
         }
     }
     CHECK(hits > cases(100'000) / 4);
@@ -180,9 +197,10 @@ TEST_CASE("the surface of a plane: the point on it, the unit normal", "[01.4]") 
     const auto hit = intersect(floor, ray, everything);
     REQUIRE(hit);
     const Surface surface = surface_at(floor, ray, *hit);
-    CHECK(surface.point == Vec3(4, -1, 8));
-    CHECK(surface.normal == Vec3(0, 1, 0));
-    CHECK(surface.shading_normal == Vec3(0, 1, 0));
+    INFO(floor << ", " << ray << "; point, normal and shading normal of the " << surface);
+    CHECK(near(surface.point, {4, -1, 8}, 0));
+    CHECK(near_direction(surface.normal, {0, 1, 0}, 0));
+    CHECK(near_direction(surface.shading_normal, {0, 1, 0}, 0));
 }
 
 TEST_CASE("the error of a surface point is a true bound, and not a lazy one", "[01.4]") {
@@ -215,7 +233,7 @@ TEST_CASE("the error of a surface point is a true bound, and not a lazy one", "[
             INFO(show(plane) << "\n"
                              << show(ray) << "\npoint " << show(surface.point) << ", error "
                              << show(surface.error));
-            REQUIRE(bounded);
+            REQUIRE(or_say(bounded, "the point is farther from the plane than its error says"));
         }
     }
     CHECK(off_plane > cases(100'000) / 10);  // a bound of zero would not do
@@ -243,45 +261,28 @@ TEST_CASE("of three walls the nearest is hit, in whichever order they stand", "[
     const Plane near_wall{{0, 0, -1}, {0, 0, 1}}, wall{{0, 0, -2}, {0, 0, 1}},
         far_wall{{0, 0, -3}, {0, 0, 1}};
     const Ray ray{{0, 0, 0}, {0, 0, -1}};
-    for (const auto& [walls, first] : {std::pair{std::vector{near_wall, wall, far_wall}, 0u},
-                                       std::pair{std::vector{far_wall, near_wall, wall}, 1u},
-                                       std::pair{std::vector{far_wall, wall, near_wall}, 2u}}) {
-        const auto hit = closest_hit(walls, ray, everything);
-        REQUIRE(hit);
-        CHECK(hit->t == 1);
-        CHECK(hit->primitive == first);
-    }
+    check_nearest({near_wall, wall, far_wall}, ray, everything, 0, 1);
+    check_nearest({far_wall, near_wall, wall}, ray, everything, 1, 1);
+    check_nearest({far_wall, wall, near_wall}, ray, everything, 2, 1);
 }
 
 TEST_CASE("of walls at the same distance the first is hit", "[01.5]") {
     const Plane far_wall{{0, 0, -3}, {0, 0, 1}}, wall{{0, 0, -2}, {0, 0, 1}}, back{{5, 5, -2}, {0, 0, -4}};
-    const Ray ray{{0, 0, 0}, {0, 0, -1}};
-    const std::vector<Plane> walls{far_wall, wall, back, wall};
-    const auto hit = closest_hit(walls, ray, everything);
-    REQUIRE(hit);
-    CHECK(hit->t == 2);
-    CHECK(hit->primitive == 1);
+    check_nearest({far_wall, wall, back, wall}, {{0, 0, 0}, {0, 0, -1}}, everything, 1, 2);
 }
 
 TEST_CASE("where no plane is hit there is no nearest one", "[01.5]") {
     const Ray up{{0, 1, 0}, {0, 1, 0}};
-    CHECK_FALSE(closest_hit(std::span<const Plane>(), up, everything));
-    CHECK_FALSE(any_hit(std::span<const Plane>(), up, everything));
-    const std::vector<Plane> planes{ground, ground};
-    CHECK_FALSE(closest_hit(planes, up, everything));
-    CHECK_FALSE(any_hit(planes, up, everything));
+    check_none({}, up, everything);
+    check_none({ground, ground}, up, everything);
 }
 
 TEST_CASE("walls before the range do not hide those in it", "[01.5]") {
     const std::vector<Plane> walls{{{0, 0, -1}, {0, 0, 1}}, {{0, 0, -2}, {0, 0, 1}}, {{0, 0, -3}, {0, 0, 1}}};
     const Ray ray{{0, 0, 0}, {0, 0, -1}};
-    const auto hit = closest_hit(walls, ray, {1, infinity});  // the beginning is left out
-    REQUIRE(hit);
-    CHECK(hit->primitive == 1);
-    const auto end = closest_hit(walls, ray, {2, 3});  // the end is taken in
-    REQUIRE(end);
-    CHECK(end->primitive == 2);
-    CHECK_FALSE(closest_hit(walls, ray, {1, 1.5}));
+    check_nearest(walls, ray, {1, infinity}, 1, 2);  // the beginning is left out
+    check_nearest(walls, ray, {2, 3}, 2, 3);         // the end is taken in
+    check_none(walls, ray, {1, 1.5});
 }
 
 TEST_CASE("the nearest of many planes is what asking each of them says", "[01.5]") {
@@ -305,21 +306,11 @@ TEST_CASE("the nearest of many planes is what asking each of them says", "[01.5]
             }
         }
         const auto hit = closest_hit(planes, ray, range);
-        const bool same = hit.has_value() == expected.has_value() &&
-                          (!hit || (hit->t == expected->t && hit->primitive == expected->primitive));
-        const bool any = any_hit(planes, ray, range) == expected.has_value();
-        if (!same || !any) {
-            INFO(planes.size() << " planes, " << show(ray) << "\nexpected "
-                               << (expected ? "plane " + std::to_string(expected->primitive) +
-                                                  " at t = " + show(expected->t)
-                                            : "a miss")
-                               << ", actual "
-                               << (hit ? "plane " + std::to_string(hit->primitive) + " at t = " + show(hit->t)
-                                       : "a miss"));
-            CHECK(any);
-            REQUIRE(same);
-            return;
-        }
+        if (same_hit(hit, expected) && any_hit(planes, ray, range) == expected.has_value()) continue;
+        INFO(planes.size() << " planes, " << ray << " in " << range);
+        CHECK(same_hit(hit, expected));
+        INFO("whether any_hit finds something");
+        REQUIRE(any_hit(planes, ray, range) == expected.has_value());
     }
     SUCCEED();
 }

@@ -13,16 +13,19 @@ using test::Random;
 namespace {
 
 // A root comes from a square root, a sum and a division, each rounded once; one rounding to spare.
-bool close(Real actual, Real expected) {
-    return std::abs(actual - expected) <= 4 * unit_roundoff * std::abs(expected);
+test::Nearness<Real> close(Real actual, Real expected) {
+    return test::near(actual, expected, 4 * unit_roundoff * std::abs(expected));
 }
 
 void check_roots(Real a, Real h, Real c, Real discriminant, Real expected0, Real expected1) {
     const Roots roots = solve_quadratic(a, h, c, discriminant);
     INFO("a = " << a << ", h = " << h << ", c = " << c << ", discriminant = " << discriminant);
-    INFO("expected t0 = " << expected0 << ", t1 = " << expected1);
-    INFO("actual   t0 = " << roots.t0 << ", t1 = " << roots.t1 << ", count = " << roots.count);
-    CHECK(roots.count == (expected0 == expected1 ? 1 : 2));
+    INFO("expected t0 = " << expected0 << ", t1 = " << expected1 << "; found " << roots);
+    {
+        INFO("how many roots there are");
+        CHECK(roots.count == (expected0 == expected1 ? 1 : 2));
+    }
+    INFO("t0 is the smaller one, t1 the larger");
     CHECK(close(roots.t0, expected0));
     CHECK(close(roots.t1, expected1));
 }
@@ -47,6 +50,7 @@ TEST_CASE("a double root is counted once and stands in t0 and t1", "[02.1]") {
 }
 
 TEST_CASE("a negative discriminant means no root", "[02.1]") {
+    INFO("how many roots there are");
     CHECK(solve_quadratic(1, 0, 1, -1).count == 0);
     CHECK(solve_quadratic(2, 5, 100, -175).count == 0);
 }
@@ -58,12 +62,7 @@ TEST_CASE("roots ascend for either sign of a and of h", "[02.1]") {
     check_roots(-1, -2, -3, 1, -3, -1);
 }
 
-TEST_CASE("a*t^2 = 0 has the double root 0, not NaN", "[02.1]") {
-    const Roots roots = solve_quadratic(3, 0, 0, 0);
-    CHECK(roots.count == 1);
-    CHECK(roots.t0 == 0);
-    CHECK(roots.t1 == 0);
-}
+TEST_CASE("a*t^2 = 0 has the double root 0, not NaN", "[02.1]") { check_roots(3, 0, 0, 0, 0, 0); }
 
 TEST_CASE("the small root keeps its digits beside a root four million million times as large", "[02.1]") {
     // t^2 - 2^21 t + 1 has the roots 2^20 ± sqrt(2^40 - 1); by Taylor's series these are 2^-21 + 2^-63
@@ -83,9 +82,10 @@ TEST_CASE("the product of the roots is c / a", "[02.1]") {
         const Real discriminant = h * h * (1 - random.magnitude(-12, -1));
         const Real c = (h * h - discriminant + std::fma(h, h, -(h * h))) / a;
         const Roots roots = solve_quadratic(a, h, c, discriminant);
-        CAPTURE(a, h, c, discriminant, roots.count, roots.t0, roots.t1);
+        INFO("a = " << a << ", h = " << h << ", c = " << c << ", discriminant = " << discriminant << ": "
+                    << roots << "; two roots, whose product times a is c");
         CHECK(roots.count == 2);
-        CHECK(std::abs(roots.t0 * roots.t1 * a - c) <= 8 * unit_roundoff * std::abs(c));
+        CHECK(test::near(roots.t0 * roots.t1 * a, c, 8 * unit_roundoff * std::abs(c)));
     }
 }
 
@@ -115,7 +115,8 @@ TEST_CASE("measuring t in another unit changes only its unit", "[02.1]") {
         const Real s = std::ldexp(1, static_cast<int>(random.index(81)) - 40);
         const Roots one = solve_quadratic(a, h, c, root * root);
         const Roots other = solve_quadratic(a * s * s, h * s, c, root * root * s * s);
-        CAPTURE(a, h, c, root, s);
+        INFO("a = " << a << ", h = " << h << ", c = " << c << ", root of the discriminant " << root << ": "
+                    << one << "\nt in units " << s << " times as large: " << other);
         CHECK(one.count == 2);
         CHECK(one.t0 <= one.t1);
         CHECK(other.t0 == one.t0 / s);

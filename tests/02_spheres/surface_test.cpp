@@ -18,17 +18,22 @@ namespace {
 /// The surface where the ray first meets the sphere ahead; the test fails where it does not.
 Surface seen(const Sphere& sphere, const Ray& ray) {
     const std::optional<Hit> hit = intersect(sphere, ray, {0, infinity});
-    REQUIRE(hit.has_value());
+    INFO(sphere << ", " << ray);
+    REQUIRE(hit);
     return surface_at(sphere, ray, *hit);
 }
 
 void check_surface(const Sphere& sphere, const Ray& ray, const Vec3& point, const Vec3& normal) {
     const Surface surface = seen(sphere, ray);
-    INFO("expected point " << show(point) << ", normal " << show(normal));
-    INFO("actual   point " << show(surface.point) << ", normal " << show(surface.normal));
-    CHECK(test::near(surface.point, point, gamma(8) * (sphere.radius + length(sphere.center))));
-    CHECK(test::near(surface.normal, normal, gamma(8)));
-    CHECK(test::near(surface.shading_normal, normal, gamma(8)));
+    INFO(sphere << ", " << ray << "\nexpected point " << point << ", normal " << normal << "; found a "
+                << surface);
+    {
+        INFO("the point");
+        CHECK(test::near(surface.point, point, gamma(8) * (sphere.radius + length(sphere.center))));
+    }
+    INFO("the normal, and the shading normal, which is the same");
+    CHECK(test::near_direction(surface.normal, normal, gamma(8)));
+    CHECK(test::near_direction(surface.shading_normal, normal, gamma(8)));
 }
 
 /// Texture coordinates of the unit sphere's point in direction `out`, seen from outside.
@@ -36,7 +41,7 @@ Vec2 uv_towards(const Vec3& out) { return sphere_uv(seen({{0, 0, 0}, 1}, {4.0 * 
 
 void check_uv(const Vec3& out, const Vec2& expected) {
     const Vec2 uv = uv_towards(out);
-    INFO("towards " << show(out) << ": expected " << expected << ", actual " << uv);
+    INFO("u and v of the unit sphere's point in direction " << out);
     CHECK(test::near(uv, expected, 4 * unit_roundoff));
 }
 
@@ -76,8 +81,8 @@ TEST_CASE("far from the origin normals are as exact as near it", "[02.4]") {
     for (const Vec3& center : {Vec3(0), Vec3(0x1p36, 0, 0), Vec3(0x1p36, -0x1p36, 0x1p36)}) {
         const Sphere sphere{center, 5};
         const Surface surface = seen(sphere, {center + Vec3(7, 7, 0), {-1, -1, 0}});
-        INFO("centre " << center << ", radius 5; seen from (7, 7, 0) beside the centre");
-        CHECK(test::near(surface.normal, {std::sqrt(0.5), std::sqrt(0.5), 0}, gamma(16)));
+        INFO("centre " << center << ", radius 5; seen from (7, 7, 0) beside the centre: the normal");
+        CHECK(test::near_direction(surface.normal, {std::sqrt(0.5), std::sqrt(0.5), 0}, gamma(16)));
     }
 }
 
@@ -86,6 +91,7 @@ TEST_CASE("u goes once around the y axis and v from the south pole to the north 
     check_uv({0, 0, 1}, {0.25, 0.5});
     check_uv({-1, 0, 0}, {0.5, 0.5});
     check_uv({0, 0, -1}, {0.75, 0.5});
+    INFO("v at the north pole, and at the south pole");
     CHECK(test::near(uv_towards({0, 1, 0}).y, 1, 4 * unit_roundoff));
     CHECK(test::near(uv_towards({0, -1, 0}).y, 0, 4 * unit_roundoff));
 }
@@ -94,7 +100,7 @@ TEST_CASE("u stays below 1 just before the seam", "[02.4]") {
     for (const Real z : {1e-3, 1e-15, 1e-16, 1e-17, 1e-30, 1e-300}) {
         const Surface surface = seen({{0, 0, 0}, 1}, {{5, 0, -z}, {-1, 0, 0}});
         const Real u = sphere_uv(surface.normal).x;
-        CAPTURE(z, u);
+        INFO("u where the point's z is -" << z << ", just before a whole turn: from 0, and less than 1");
         CHECK(u >= 0);
         CHECK(u < 1);
     }
@@ -106,9 +112,9 @@ TEST_CASE("u and v are numbers in [0, 1] at the poles too", "[02.4]") {
         const Vec3 out =
             normalize(Vec3(random.magnitude(-9, 0), i % 2 == 0 ? 1 : -1, random.magnitude(-9, 0)));
         const Vec2 uv = uv_towards(out);
-        INFO("towards " << show(out) << ": " << uv);
-        CHECK((0 <= uv.x && uv.x < 1));
-        CHECK((0 <= uv.y && uv.y <= 1 + 2 * unit_roundoff));
+        INFO("u and v of the unit sphere's point in direction " << out << ": " << uv);
+        CHECK(test::or_say(0 <= uv.x && uv.x < 1, "u is not from 0 to less than 1"));
+        CHECK(test::or_say(0 <= uv.y && uv.y <= 1 + 2 * unit_roundoff, "v is not from 0 to 1"));
     }
 }
 
@@ -120,11 +126,14 @@ TEST_CASE("u and v are the angles of the normal", "[02.4]") {
         const Vec3 n = surface.normal;
         const Vec2 uv = sphere_uv(n);
         const Real longitude = uv.x * 2 * pi, latitude = (uv.y - 0.5) * pi;
-        INFO("normal " << show(n) << ", uv (" << uv.x << ", " << uv.y << ')');
+        INFO("normal " << n << ", uv " << uv);
         // Angles up to 2 pi with a few roundings each.
-        CHECK(std::abs(std::sin(latitude) - n.y) <= 32 * unit_roundoff);
-        CHECK(std::abs(n.x * std::sin(longitude) - n.z * std::cos(longitude)) <= 32 * unit_roundoff);
-        CHECK(n.x * std::cos(longitude) + n.z * std::sin(longitude) >= 0);
+        const Real around = n.x * std::sin(longitude) - n.z * std::cos(longitude);
+        CHECK(test::or_say(std::abs(std::sin(latitude) - n.y) <= 32 * unit_roundoff,
+                           "v is another latitude than the normal's"));
+        CHECK(test::or_say(std::abs(around) <= 32 * unit_roundoff &&
+                               n.x * std::cos(longitude) + n.z * std::sin(longitude) >= 0,
+                           "u is another longitude than the normal's"));
     }
 }
 
@@ -134,12 +143,15 @@ TEST_CASE("the normal is a unit vector and leads from the centre to the point", 
         const Case c = aimed(random);
         const Surface surface = seen(c.sphere, c.ray);
         const Vec3 outward = surface.point - c.sphere.center;
-        INFO("center " << show(c.sphere.center) << ", radius " << c.sphere.radius);
-        INFO("point " << show(surface.point) << ", normal " << show(surface.normal));
-        CHECK(std::abs(length(surface.normal) - 1) <= gamma(8));
+        INFO(c.sphere << ": point " << surface.point << ", normal " << surface.normal);
+        {
+            INFO("the length of the normal");
+            CHECK(test::near(length(surface.normal), 1, gamma(8)));
+        }
         // The point is rounded to its own last bit, and the normal to a few of its own.
-        CHECK(length(outward - c.sphere.radius * surface.normal) <=
-              gamma(8) * c.sphere.radius + gamma(2) * length(surface.point));
+        INFO("the way from the centre to the point: a radius along the normal");
+        CHECK(test::near(outward, c.sphere.radius * surface.normal,
+                         gamma(8) * c.sphere.radius + gamma(2) * length(surface.point)));
         CHECK(surface.shading_normal == surface.normal);
     }
 }
@@ -149,11 +161,11 @@ TEST_CASE("the point is where the ray was at t", "[02.4]") {
     for (int i = 0; i < cases(20000); ++i) {
         const Case c = aimed(random);
         const std::optional<Hit> hit = intersect(c.sphere, c.ray, {0, infinity});
-        REQUIRE(hit.has_value());
+        REQUIRE(hit);
         const Surface surface = surface_at(c.sphere, c.ray, *hit);
-        INFO("at t " << show(point_at(c.ray, hit->t)) << ", point " << show(surface.point));
+        INFO(c.sphere << ", " << c.ray << "\nthe surface's point, and the ray's at t = " << hit->t);
         const Real size = length(c.ray.origin - c.sphere.center) + c.sphere.radius + length(surface.point);
-        CHECK(length(point_at(c.ray, hit->t) - surface.point) <= gamma(16) * size);
+        CHECK(test::near(surface.point, point_at(c.ray, hit->t), gamma(16) * size));
     }
 }
 
@@ -161,8 +173,9 @@ TEST_CASE("a point that rounding left beside the sphere is moved onto it", "[02.
     // t is a hundredth of a radius too small: the point moves to the sphere, the normal keeps its direction.
     const Ray ray{{0, 0, 5}, {0, 0, -1}};
     const Surface surface = surface_at(Sphere{{0, 0, 0}, 1}, ray, {.t = 3.99});
-    CHECK(surface.point == Vec3(0, 0, 1));
-    CHECK(surface.normal == Vec3(0, 0, 1));
+    INFO("unit sphere, " << ray << ", t = 3.99 where 4 is right: the point, and the normal");
+    CHECK(test::near(surface.point, {0, 0, 1}, 0));
+    CHECK(test::near_direction(surface.normal, {0, 0, 1}, 0));
 }
 
 TEST_CASE("the error bound of the point holds and is not wasteful", "[02.4]") {
@@ -178,9 +191,11 @@ TEST_CASE("the error bound of the point holds and is not wasteful", "[02.4]") {
         INFO("point " << show(surface.point) << ", bound " << show(surface.error) << ", actual error "
                       << show(Vec3(off)));
         for (int axis = 0; axis < 3; ++axis) {
-            CHECK(off[axis] <= surface.error[axis]);
-            CHECK(surface.error[axis] <=
-                  12 * unit_roundoff * (c.sphere.radius + std::abs(surface.point[axis])));
+            CHECK(test::or_say(off[axis] <= surface.error[axis],
+                               "the point is farther off than its bound says"));
+            CHECK(test::or_say(
+                surface.error[axis] <= 12 * unit_roundoff * (c.sphere.radius + std::abs(surface.point[axis])),
+                "the bound is far larger than what rounding can do"));
         }
     }
 }

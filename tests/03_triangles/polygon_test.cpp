@@ -41,44 +41,67 @@ std::vector<Vec3> stand(const std::vector<Vec3>& flat, int axis, Real height) {
 }
 
 void check_inside(const std::vector<Vec2>& polygon, const Vec2& point, bool expected) {
-    INFO("point " << show(point) << ", expected " << (expected ? "inside" : "outside"));
-    CHECK(point_in_polygon(polygon, point) == expected);
+    INFO("polygon " << polygon << ", point " << point);
+    CHECK(test::or_say(point_in_polygon(polygon, point) == expected,
+                       expected ? "outside, expected inside" : "inside, expected outside"));
+}
+
+void check_normal(const std::vector<Vec3>& corners, const Vec3& expected) {
+    INFO("corners " << corners << "\nthe normal of their plane, whose length is twice the area");
+    CHECK(test::near_direction(supporting_plane(corners).normal, expected, 0));
+}
+
+void check_hit(const Polygon& polygon, const Ray& ray, const Interval& range, Real t) {
+    INFO(polygon << "\n" << ray << " in " << range << "; the t of the hit");
+    const std::optional<Hit> hit = intersect(polygon, ray, range);
+    REQUIRE(hit);
+    CHECK(hit->t == t);
+}
+
+void check_miss(const Polygon& polygon, const Ray& ray, const Interval& range) {
+    INFO(polygon << "\n" << ray << " in " << range);
+    CHECK_FALSE(intersect(polygon, ray, range));
 }
 
 }  // namespace
 
 TEST_CASE("the plane of a square in the xy plane looks along +z, twice its area long", "[03.1]") {
     const Plane plane = supporting_plane(unit_square);
-    CHECK(plane.point == Vec3(0));
-    INFO("actual normal " << show(plane.normal) << ", expected (0, 0, 2)");
-    CHECK(plane.normal == Vec3(0, 0, 2));
+    {
+        INFO("the point of the plane, the first corner");
+        CHECK(plane.point == Vec3(0));
+    }
+    check_normal(unit_square, {0, 0, 2});
 }
 
 TEST_CASE("a polygon whose corners turn clockwise looks the other way", "[03.1]") {
     const std::vector<Vec3> reversed(unit_square.rbegin(), unit_square.rend());
-    CHECK(supporting_plane(reversed).normal == Vec3(0, 0, -2));
+    check_normal(reversed, {0, 0, -2});
 }
 
 TEST_CASE("the plane goes through the first corner", "[03.1]") {
     const std::vector<Vec3> corners = {{3, 4, 5}, {3, 8, 5}, {3, 4, 9}};
     const Plane plane = supporting_plane(corners);
-    CHECK(plane.point == Vec3(3, 4, 5));
-    CHECK(plane.normal == Vec3(16, 0, 0));
+    {
+        INFO("corners " << corners << ": the point of their plane");
+        CHECK(plane.point == Vec3(3, 4, 5));
+    }
+    check_normal(corners, {16, 0, 0});
 }
 
 TEST_CASE("a notch or a straight angle at the first corners does not mislead the normal", "[03.1]") {
     // An L of area 3, listed from its notch; then a square whose first three corners are on one line.
     const std::vector<Vec3> from_notch = {{1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {0, 0, 0}, {2, 0, 0}, {2, 1, 0}};
-    CHECK(supporting_plane(from_notch).normal == Vec3(0, 0, 6));
+    check_normal(from_notch, {0, 0, 6});
     const std::vector<Vec3> straight = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
-    CHECK(supporting_plane(straight).normal == Vec3(0, 0, 8));
+    check_normal(straight, {0, 0, 8});
 }
 
 TEST_CASE("a polygon without area has the normal zero", "[03.1]") {
     const std::vector<Vec3> line = {{1, 2, 3}, {2, 4, 6}, {3, 6, 9}, {2, 4, 6}};
-    CHECK(supporting_plane(line).normal == Vec3(0));
+    check_normal(line, Vec3(0));
     const std::vector<Vec3> point = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
-    CHECK(supporting_plane(point).normal == Vec3(0));
+    check_normal(point, Vec3(0));
 }
 
 TEST_CASE("a polygon far from the origin has the same normal as one that is near", "[03.1]") {
@@ -92,8 +115,10 @@ TEST_CASE("a polygon far from the origin has the same normal as one that is near
         near.push_back(near[0] + near[2] - near[1]);
         for (const Vec3& p : near) far.push_back(p + Vec3(0x1p40, -0x1p40, 0x1p40));
         const Vec3 difference = supporting_plane(near).normal - supporting_plane(far).normal;
-        INFO("difference of the normals " << show(difference));
-        REQUIRE(glm::length(difference) <= 64 * unit_roundoff);
+        INFO("the polygon " << near
+                            << "\nand the same farther away by 2^40, which no number needs rounding for: the "
+                               "difference of their normals");
+        REQUIRE(test::near(difference, Vec3(0), 64 * unit_roundoff));
     }
 }
 
@@ -110,27 +135,43 @@ TEST_CASE("the normal is perpendicular to every edge of a planar polygon", "[03.
         for (std::size_t k = 0; k < corners.size(); ++k) {
             const Vec3 edge = corners[(k + 1) % corners.size()] - corners[k];
             // Corners are off their plane by a few u, edges are at most 2 long, the normal at most 2π.
-            REQUIRE(std::abs(glm::dot(normal, edge)) <= 200 * unit_roundoff);
+            INFO("normal " << normal << ", edge " << edge
+                           << ": their product, 0 where they are perpendicular");
+            REQUIRE(test::near(glm::dot(normal, edge), 0, 200 * unit_roundoff));
         }
     }
 }
 
+namespace {
+
+void check_axis(const Vec3& normal, int axis) {
+    INFO("the axis, 0, 1 or 2, of the greatest component of the normal " << normal);
+    CHECK(dominant_axis(normal) == axis);
+}
+
+void check_projection(int axis, const Vec2& expected) {
+    INFO("the point (1, 2, 3) along axis " << axis);
+    CHECK(project({1, 2, 3}, axis) == expected);
+}
+
+}  // namespace
+
 TEST_CASE("the dominant axis is that of the greatest component, whatever its sign", "[03.2]") {
-    CHECK(dominant_axis({1, -5, 3}) == 1);
-    CHECK(dominant_axis({-7, 5, 3}) == 0);
-    CHECK(dominant_axis({0, 0.5, -1}) == 2);
+    check_axis({1, -5, 3}, 1);
+    check_axis({-7, 5, 3}, 0);
+    check_axis({0, 0.5, -1}, 2);
 }
 
 TEST_CASE("of equal components the first is the dominant axis", "[03.2]") {
-    CHECK(dominant_axis({2, 2, -2}) == 0);
-    CHECK(dominant_axis({0, -3, 3}) == 1);
-    CHECK(dominant_axis({-4, 1, 4}) == 0);
+    check_axis({2, 2, -2}, 0);
+    check_axis({0, -3, 3}, 1);
+    check_axis({-4, 1, 4}, 0);
 }
 
 TEST_CASE("projecting keeps the other two coordinates in cyclic order", "[03.2]") {
-    CHECK(project({1, 2, 3}, 0) == Vec2(2, 3));
-    CHECK(project({1, 2, 3}, 1) == Vec2(3, 1));
-    CHECK(project({1, 2, 3}, 2) == Vec2(1, 2));
+    check_projection(0, {2, 3});
+    check_projection(1, {3, 1});
+    check_projection(2, {1, 2});
 }
 
 TEST_CASE("a point is inside a square or outside of it", "[03.2]") {
@@ -198,9 +239,12 @@ TEST_CASE("a point belongs to exactly one of two polygons that share an edge", "
         INFO("diagonal " << show(quad[0]) << " to " << show(quad[2]));
         INFO("other corners " << show(quad[1]) << ", " << show(quad[3]));
         INFO("point " << show(point));
-        const int owners = point_in_polygon(one, point) + point_in_polygon(other, point);
+        const bool in_one = point_in_polygon(one, point), in_other = point_in_polygon(other, point);
         // Where the quadrilateral has a notch, the two triangles overlap, and the point may be in both.
-        REQUIRE(owners % 2 == (point_in_polygon(quad, point) ? 1 : 0));
+        REQUIRE(test::or_say((in_one != in_other) == point_in_polygon(quad, point),
+                             std::string("the point is ") + (in_one ? "inside" : "outside") +
+                                 " of one triangle, " + (in_other ? "inside" : "outside") +
+                                 " of the other, which does not fit to the whole"));
     }
 }
 
@@ -211,38 +255,33 @@ TEST_CASE("points on the common edge have one owner also where rounding decides"
             q(random.uniform(0, 1), random.uniform(0, 1));
         const std::vector<Vec2> below = {p, {2, -2}, q}, above = {q, {-2, 2}, p};
         const Vec2 point = p + random.uniform(0.1, 0.9) * (q - p);
-        INFO("edge " << show(p) << " to " << show(q) << ", point " << show(point));
+        INFO("edge " << show(p) << " to " << show(q) << ", point " << show(point)
+                     << ": how many of the two polygons beside the edge it is in");
         REQUIRE(point_in_polygon(below, point) + point_in_polygon(above, point) == 1);
     }
 }
 
 TEST_CASE("a ray hits a square where it is", "[03.7]") {
     const Polygon square{unit_square};
-    const auto hit = intersect(square, Ray{{0.25, 0.5, 3}, {0, 0, -1}}, Interval{});
-    REQUIRE(hit);
-    CHECK(hit->t == 3);
-    CHECK_FALSE(intersect(square, Ray{{1.25, 0.5, 3}, {0, 0, -1}}, Interval{}));
+    check_hit(square, {{0.25, 0.5, 3}, {0, 0, -1}}, {}, 3);
+    check_miss(square, {{1.25, 0.5, 3}, {0, 0, -1}}, {});
 }
 
 TEST_CASE("a polygon is hit from both sides, and t counts lengths of the direction", "[03.7]") {
-    const Polygon square{unit_square};
-    const auto hit = intersect(square, Ray{{0.25, 0.5, -3}, {0, 0, 4}}, Interval{});
-    REQUIRE(hit);
-    CHECK(hit->t == 0.75);
+    check_hit({unit_square}, {{0.25, 0.5, -3}, {0, 0, 4}}, {}, 0.75);
 }
 
 TEST_CASE("a polygon behind the ray or out of its range is missed", "[03.7]") {
     const Polygon square{unit_square};
     const Ray ray{{0.25, 0.5, 3}, {0, 0, -1}};
-    CHECK_FALSE(intersect(square, Ray{{0.25, 0.5, 3}, {0, 0, 1}}, Interval{}));
-    CHECK_FALSE(intersect(square, ray, {3, 10}));
-    CHECK(intersect(square, ray, {2, 3}));
-    CHECK_FALSE(intersect(square, ray, {0, 2.5}));
+    check_miss(square, {{0.25, 0.5, 3}, {0, 0, 1}}, {});
+    check_miss(square, ray, {3, 10});
+    check_hit(square, ray, {2, 3}, 3);
+    check_miss(square, ray, {0, 2.5});
 }
 
 TEST_CASE("a polygon without area is missed", "[03.7]") {
-    const Polygon line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}};
-    CHECK_FALSE(intersect(line, Ray{{1, 0, 3}, {0, 0, -1}}, Interval{}));
+    check_miss({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}}, {{1, 0, 3}, {0, 0, -1}}, {});
 }
 
 TEST_CASE("a ray at the edge or corner that squares share hits exactly one of them", "[03.7]") {
@@ -258,7 +297,8 @@ TEST_CASE("a ray at the edge or corner that squares share hits exactly one of th
     };
     for (const Vec3& target :
          {Vec3(1, 0.5, 0), Vec3(1, 1.25, 0), Vec3(0.5, 1, 0), Vec3(1.75, 1, 0), Vec3(1, 1, 0)}) {
-        INFO("ray at " << show(target));
+        INFO("four unit squares side by side; at " << target
+                                                   << ", where they meet: how many of them are hit");
         CHECK(hits(target + Vec3(0, 0, 3), target) == 1);
         CHECK(hits({0.1, 0.7, 0.3}, target) == 1);
         CHECK(hits({-5, 2, -0.5}, target) == 1);
@@ -273,7 +313,7 @@ TEST_CASE("rays along the slanting ridge of a roof hit exactly one of its sides"
     for (const Vec3& origin : {Vec3(0.3, 5.1, -1.7), Vec3(0.9, 3.3, 0.4)}) {
         for (int i = 1; i < 400; ++i) {
             const Ray ray{origin, p + Real(i) / 400 * (q - p) - origin};
-            INFO("at " << i << " of 400 parts of the ridge, ray " << show(ray));
+            INFO("at " << i << "/400 of the ridge, " << ray << ": how many of the two sides are hit");
             CHECK(intersect(left, ray, Interval{}).has_value() +
                       intersect(right, ray, Interval{}).has_value() ==
                   1);
@@ -291,10 +331,13 @@ TEST_CASE("a star standing across each axis is hit in its points and missed in i
             target[(axis + 1) % 3] = 0.6 * std::cos(angle);
             target[(axis + 2) % 3] = 0.6 * std::sin(angle);
             const Vec3 origin(-0.1, 0.3, -0.2);
-            INFO("across axis " << axis << ", target " << show(target));
+            INFO("a star across axis " << axis << ", a ray at " << target << ", which is in a "
+                                       << (i % 2 == 0 ? "point" : "notch"));
             const auto hit = intersect(polygon, Ray{origin, target - origin}, Interval{});
-            CHECK(hit.has_value() == (i % 2 == 0));
-            if (hit) CHECK(hit->t == Approx(1).epsilon(1e-14));
+            if (i % 2 == 0) REQUIRE(hit);
+            if (i % 2 == 1) REQUIRE_FALSE(hit);
+            INFO("the t of the hit");
+            if (hit) CHECK(test::near(hit->t, 1, 1e-14));
         }
     }
 }
@@ -303,10 +346,9 @@ TEST_CASE("of several polygons the nearest is hit, and of equal ones the first",
     std::vector<Polygon> polygons;
     for (const Real height : {1.0, 4.0, 2.0, 4.0}) polygons.push_back({stand(unit_square, 2, height)});
     const Ray ray{{0.25, 0.5, 9}, {0, 0, -1}};
-    const auto hit = closest_hit(polygons, ray, Interval{});
-    REQUIRE(hit);
-    CHECK(hit->t == 5);
-    CHECK(hit->primitive == 1);
-    CHECK(any_hit(polygons, ray, Interval{}));
-    CHECK_FALSE(any_hit(polygons, ray, {0, 4}));
+    INFO("unit squares in z = 1, 4, 2 and 4, in this order; " << ray);
+    CHECK(test::same_hit(closest_hit(polygons, ray, Interval{}), Hit{.t = 5, .primitive = 1}));
+    INFO("whether any_hit finds one; and where the range ends at 4");
+    CHECK(any_hit(polygons, ray, Interval{}) == true);
+    CHECK(any_hit(polygons, ray, {0, 4}) == false);
 }

@@ -23,7 +23,8 @@ namespace {
 
 Transform transform(const Mat4& m) {
     const std::optional<Mat4> back = inverse(m);
-    REQUIRE(back.has_value());
+    INFO("the inverse of" << m);
+    REQUIRE(back);
     return {m, *back};
 }
 
@@ -77,62 +78,65 @@ Ray towards(Random& random, const Mat4& m) {
 
 TEST_CASE("an ellipsoid is hit where its axis ends", "[04.6]") {
     const Ellipsoid e = ellipsoid(scaling({2, 1, 0.5}));
-    const auto t_of = [&](const Ray& ray) {
+    const auto check = [&](const Ray& ray, Real t) {
+        INFO("half axes 2, 1 and 0.5; " << ray << ": the t of the hit");
         const std::optional<Hit> hit = intersect(e, ray, ahead);
-        REQUIRE(hit.has_value());
-        return hit->t;
+        REQUIRE(hit);
+        CHECK(hit->t == t);
     };
-    CHECK(t_of({{5, 0, 0}, {-1, 0, 0}}) == 3);
-    CHECK(t_of({{0, 5, 0}, {0, -1, 0}}) == 4);
-    CHECK(t_of({{0, 0, 5}, {0, 0, -1}}) == 4.5);
-    CHECK(t_of({{0, 0, 0}, {1, 0, 0}}) == 2);
+    check({{5, 0, 0}, {-1, 0, 0}}, 3);
+    check({{0, 5, 0}, {0, -1, 0}}, 4);
+    check({{0, 0, 5}, {0, 0, -1}}, 4.5);
+    check({{0, 0, 0}, {1, 0, 0}}, 2);
 }
 
 TEST_CASE("t counts lengths of the world ray's direction", "[04.6]") {
     const Ellipsoid e = ellipsoid(translation({0, 0, -10}) * scaling({1, 1, 4}));
     for (const Real speed : {0.5, 1.0, 2.0, 1024.0}) {
         const std::optional<Hit> hit = intersect(e, {{0, 0, 0}, {0, 0, -speed}}, ahead);
-        CAPTURE(speed);
-        REQUIRE(hit.has_value());
+        INFO("the ellipsoid begins 6 in front of a ray whose direction is " << speed
+                                                                            << " long: the t of the hit");
+        REQUIRE(hit);
         CHECK(hit->t == 6 / speed);
     }
 }
 
 TEST_CASE("beside an ellipsoid there is nothing", "[04.6]") {
     const Ellipsoid e = ellipsoid(scaling({2, 1, 0.5}));
-    CHECK_FALSE(intersect(e, {{0, 1.25, 5}, {0, 0, -1}}, ahead).has_value());
-    CHECK(intersect(e, {{1.25, 0, 5}, {0, 0, -1}}, ahead).has_value());
-    CHECK_FALSE(intersect(e, {{0, 0, -5}, {0, 0, -1}}, ahead).has_value());
+    INFO("half axes 2, 1 and 0.5; rays along -z");
+    CHECK_FALSE(intersect(e, {{0, 1.25, 5}, {0, 0, -1}}, ahead));
+    CHECK(intersect(e, {{1.25, 0, 5}, {0, 0, -1}}, ahead));
+    CHECK_FALSE(intersect(e, {{0, 0, -5}, {0, 0, -1}}, ahead));
 }
 
 TEST_CASE("the range is that of the world ray", "[04.6]") {
     const Ellipsoid e = ellipsoid(scaling({2, 1, 0.5}));
     const Ray ray{{5, 0, 0}, {-1, 0, 0}};  // roots 3 and 7
-    CHECK(intersect(e, ray, {0, 3}).has_value());
-    CHECK_FALSE(intersect(e, ray, {0, 2.5}).has_value());
+    INFO("an ellipsoid that the ray meets at t = 3 and at t = 7; ranges (0, 3], (0, 2.5] and (3, inf]");
+    CHECK(intersect(e, ray, {0, 3}));
+    CHECK_FALSE(intersect(e, ray, {0, 2.5}));
     const std::optional<Hit> far = intersect(e, ray, {3, infinity});
-    REQUIRE(far.has_value());
+    REQUIRE(far);
     CHECK(far->t == 7);
 }
 
 TEST_CASE("the surface of an ellipsoid has its point and normal in the world", "[04.6]") {
     const Ellipsoid e = ellipsoid(translation({1, 0, 0}) * scaling({2, 1, 1}));
     const Ray ray{{1, 5, 0}, {0, -1, 0}};
-    const std::optional<Hit> hit = intersect(e, ray, ahead);
-    REQUIRE(hit.has_value());
-    const Surface top = surface_at(e, ray, *hit);
-    CHECK(top.point == Vec3(1, 1, 0));
-    CHECK(top.normal == Vec3(0, 1, 0));
-    CHECK(top.shading_normal == Vec3(0, 1, 0));
+    INFO("half axes 2, 1 and 1 around (1, 0, 0)");
+    const auto check = [&](const Ray& from, const Vec3& point, const Vec3& normal, Real bound) {
+        INFO(from << ": the point in the world, then the normal and the shading normal");
+        const std::optional<Hit> hit = intersect(e, from, ahead);
+        REQUIRE(hit);
+        const Surface surface = surface_at(e, from, *hit);
+        CHECK(test::near(surface.point, point, bound));
+        CHECK(test::near_direction(surface.normal, normal, bound));
+        CHECK(test::near_direction(surface.shading_normal, normal, bound));
+    };
+    check(ray, {1, 1, 0}, {0, 1, 0}, 0);
 
     // At (2·0.6, 0.8): the gradient of (x/2)² + y² is along (0.6/2, 0.8) = (3, 8)/10.
-    const Ray slope{{2.2, 5, 0}, {0, -1, 0}};
-    const std::optional<Hit> aside = intersect(e, slope, ahead);
-    REQUIRE(aside.has_value());
-    const Surface side = surface_at(e, slope, *aside);
-    CAPTURE(show(side.point), show(side.normal));
-    CHECK(length(side.point - Vec3(2.2, 0.8, 0)) <= gamma(16));
-    CHECK(length(side.normal - Vec3(3, 8, 0) / std::sqrt(73.0)) <= gamma(16));
+    check({{2.2, 5, 0}, {0, -1, 0}}, {2.2, 0.8, 0}, Vec3(3, 8, 0) / std::sqrt(73.0), gamma(16));
 }
 
 TEST_CASE("points lie on the ellipsoid and normals point outward, reflected or not", "[04.6]") {
@@ -146,15 +150,16 @@ TEST_CASE("points lie on the ellipsoid and normals point outward, reflected or n
         if (!hit) continue;
         ++hits;
         const Surface surface = surface_at(e, ray, *hit);
-        INFO(show(m) << "\npoint " << show(surface.point) << ", normal " << show(surface.normal));
+        INFO("the map" << m << "\npoint " << surface.point << ", normal " << surface.normal);
         // In the ellipsoid's own units a point is off by no more than the error that it claims.
         const Mat4& back = e.transform.to_local;
         const Vec3 local = transform_point(back, surface.point);
         Vec3 error(0);
         for (int c = 0; c < 3; ++c) error += abs(Vec3(back[c])) * surface.error[c];
-        CHECK(std::abs(length(local) - 1) <= dot(abs(local), error));
-        CHECK(std::abs(length(surface.normal) - 1) <= gamma(4));
-        CHECK(dot(surface.normal, surface.point - Vec3(m[3])) > 0);
+        CHECK(test::or_say(std::abs(length(local) - 1) <= dot(abs(local), error),
+                           "the point is farther from the ellipsoid than its error says"));
+        CHECK(test::or_say(std::abs(length(surface.normal) - 1) <= gamma(4), "the normal is not 1 long"));
+        CHECK(test::or_say(dot(surface.normal, surface.point - Vec3(m[3])) > 0, "the normal points inward"));
     }
     CHECK(hits > cases(5000) / 4);
 }
@@ -177,7 +182,7 @@ TEST_CASE("a ray that starts outside of the error box does not meet the surface 
         if (dot(direction, n) <= 0) continue;
         ++tried;
         INFO(show(m) << "\npoint " << show(surface.point) << ", direction " << show(direction));
-        CHECK_FALSE(intersect(e, {surface.point + step * n, direction}, ahead).has_value());
+        CHECK_FALSE(intersect(e, {surface.point + step * n, direction}, ahead));
     }
     CHECK(tried > cases(20000) / 8);
 }
@@ -193,9 +198,10 @@ TEST_CASE("an ellipsoid that is a ball is hit as a sphere is", "[04.6]") {
         const std::optional<Hit> hit = intersect(ellipsoid(m), ray, ahead);
         if (!hit) continue;
         const Real distance = length(point_at(ray, hit->t) - center);
-        CAPTURE(show(center), radius, hit->t);
+        INFO("a ball around " << center << " of radius " << radius << ", hit at t = " << hit->t
+                              << ": how far from the centre that is");
         // The point on the ray is known to u·|o| or so; grazing rays are off by no more across the surface.
-        CHECK(std::abs(distance - radius) <= gamma(64) * (length(ray.origin) + length(center) + radius));
+        CHECK(test::near(distance, radius, gamma(64) * (length(ray.origin) + length(center) + radius)));
     }
 }
 
@@ -213,8 +219,9 @@ SharedMesh one_triangle() {
 }
 
 void check_hit(const std::optional<Hit>& hit, Real t, std::uint32_t primitive, std::uint32_t element) {
-    REQUIRE(hit.has_value());
-    CAPTURE(hit->t, hit->primitive, hit->element);
+    INFO("expected a hit at t = " << t << ", of instance (primitive) " << primitive << ", triangle (element) "
+                                  << element << " of its mesh, both counted from 0; found: " << hit);
+    REQUIRE(hit);
     CHECK(hit->t == t);
     CHECK(hit->primitive == primitive);
     CHECK(hit->element == element);
@@ -223,7 +230,8 @@ void check_hit(const std::optional<Hit>& hit, Real t, std::uint32_t primitive, s
 }  // namespace
 
 TEST_CASE("where there are no instances nothing is hit", "[04.6]") {
-    CHECK_FALSE(closest_hit(std::span<const Instance>(), {{0, 0, 5}, {0, 0, -1}}, ahead).has_value());
+    INFO("no instances at all");
+    CHECK_FALSE(closest_hit(std::span<const Instance>(), {{0, 0, 5}, {0, 0, -1}}, ahead));
 }
 
 TEST_CASE("an instance is hit where its mesh was moved to", "[04.6]") {
@@ -231,7 +239,8 @@ TEST_CASE("an instance is hit where its mesh was moved to", "[04.6]") {
                                           instance_of(translation({8, 0, 2}), one_triangle())};
     check_hit(closest_hit(instances, {{0, 0, 5}, {0, 0, -1}}, ahead), 9, 0, 0);
     check_hit(closest_hit(instances, {{8, 0, 5}, {0, 0, -1}}, ahead), 3, 1, 0);
-    CHECK_FALSE(closest_hit(instances, {{4, 0, 5}, {0, 0, -1}}, ahead).has_value());
+    INFO("between two instances");
+    CHECK_FALSE(closest_hit(instances, {{4, 0, 5}, {0, 0, -1}}, ahead));
 }
 
 TEST_CASE("the nearest instance wins wherever it stands in the list, and of equals the first", "[04.6]") {
@@ -257,7 +266,10 @@ TEST_CASE("a mesh outside of its bounding sphere is not looked at", "[04.6]") {
     SharedMesh mesh = one_triangle();
     mesh.bound = {{10, 0, 0}, 1};
     const std::vector<Instance> instances{instance_of(translation({0, 0, -4}), mesh)};
-    CHECK_FALSE(closest_hit(instances, {{0, 0, 5}, {0, 0, -1}}, ahead).has_value());
+    INFO(
+        "a mesh whose one triangle lies outside of its bounding sphere, around (10, 0, 0), radius 1: a ray "
+        "that misses the sphere asks no triangle");
+    CHECK_FALSE(closest_hit(instances, {{0, 0, 5}, {0, 0, -1}}, ahead));
 }
 
 TEST_CASE("a ray from 2^52 radii away that hits a triangle is not lost at the bounding sphere", "[04.6]") {
@@ -271,6 +283,7 @@ TEST_CASE("a ray from 2^52 radii away that hits a triangle is not lost at the bo
     const std::optional<Hit> hit = intersect(use_of(mesh), local, ahead);
     REQUIRE(oracle::judge_triangle(face, local, 0).hit);
     check_hit(hit, 0x1.80d3247c44e8cp+80, 0, 0);
+    INFO("whether is_hit says the same");
     CHECK(is_hit(use_of(mesh), local, ahead));
 }
 
@@ -298,17 +311,19 @@ TEST_CASE("however far away a ray starts, the bounding sphere loses no hit, and 
         const std::optional<Hit> expected = closest_hit(mesh.triangles.shapes, local, range);
         const std::optional<Hit> actual = intersect(use_of(mesh), local, range);
         INFO("case " << i << ": from " << show(local.origin) << " along " << show(local.direction));
-        REQUIRE(actual.has_value() == expected.has_value());
+        REQUIRE(test::same_hit(actual, expected));
+        INFO("whether is_hit says the same");
         CHECK(is_hit(use_of(mesh), local, range) == expected.has_value());
         if (!expected) continue;
         ++hits;
-        CHECK(actual->t == expected->t);
         const Roots roots = intersections(mesh.bound, local);
         if (roots.count == 0 || roots.t1 <= range.min || roots.t0 > range.max) ++lost_by_roots;
     }
-    CAPTURE(hits, lost_by_roots);
-    CHECK(hits > all / 8);
-    INFO("the roots of the sphere itself have to lose some, else the cases show nothing");
+    {
+        INFO("how many of " << all << " rays hit");
+        CHECK(hits > all / 8);
+    }
+    INFO("how many the roots of the sphere itself lose; there have to be some, else the cases show nothing");
     CHECK(lost_by_roots > demanded(all / 1000, 0));
 }
 
@@ -320,11 +335,13 @@ TEST_CASE("from inside of the bounding sphere the mesh is hit", "[04.6]") {
 TEST_CASE("the range decides: its start is excluded and its end included", "[04.6]") {
     const std::vector<Instance> instances{instance_of(Mat4(1), one_triangle())};
     const Ray ray{{0, 0, 5}, {0, 0, -1}};
-    CHECK(closest_hit(instances, ray, {0, 5}).has_value());
-    CHECK_FALSE(closest_hit(instances, ray, {0, 4.5}).has_value());
-    CHECK_FALSE(closest_hit(instances, ray, {5, infinity}).has_value());
-    CHECK(any_hit(instances, ray, {0, 5}));
-    CHECK_FALSE(any_hit(instances, ray, {0, 4.5}));
+    INFO("a triangle at t = 5; ranges (0, 5], (0, 4.5] and (5, inf]");
+    CHECK(closest_hit(instances, ray, {0, 5}));
+    CHECK_FALSE(closest_hit(instances, ray, {0, 4.5}));
+    CHECK_FALSE(closest_hit(instances, ray, {5, infinity}));
+    INFO("whether any_hit finds it");
+    CHECK(any_hit(instances, ray, {0, 5}) == true);
+    CHECK(any_hit(instances, ray, {0, 4.5}) == false);
 }
 
 namespace {
@@ -354,7 +371,10 @@ TEST_CASE("an instance is hit where the mesh baked into the world is, by exact a
         const Instance instance{{m, *back}, use_of(mesh)};
         const Ray ray = towards(random, m);
         const std::optional<Hit> hit = intersect(instance, ray, ahead);
-        CHECK(is_hit(instance, ray, ahead) == hit.has_value());
+        {
+            INFO("the map" << m << "\n" << ray << ": whether is_hit says what the nearest hit says");
+            CHECK(is_hit(instance, ray, ahead) == hit.has_value());
+        }
 
         // What rounding, or moving the data by 4 ulp, does in local space, as tests/stability/transforms.hpp
         // says.
@@ -388,15 +408,20 @@ TEST_CASE("an instance is hit where the mesh baked into the world is, by exact a
             ++undecided;
             continue;
         }
-        INFO(show(m) << "\nray from " << show(ray.origin) << " along " << show(ray.direction));
-        CAPTURE(nearest, element, hit ? hit->t : -1, hit ? hit->element : 0);
-        REQUIRE(hit.has_value() == (nearest < infinity));
+        INFO("the map" << m << "\n"
+                       << ray << ": expected "
+                       << (nearest < infinity ? "triangle " + show(element) + " at t = " + show(nearest)
+                                              : "a miss")
+                       << "; found: " << hit);
+        REQUIRE(
+            test::or_say(hit.has_value() == (nearest < infinity), hit ? "a hit, expected a miss" : "a miss"));
         ++(hit ? hits : misses);
         if (!hit) continue;
         CHECK(hit->element == element);
+        INFO("by how much t is off");
         CHECK(error <= allowed);
     }
-    CAPTURE(hits, misses, undecided);
+    INFO("how many of " << cases(5000) << " rays hit, miss, or are too close to call");
     CHECK(hits > cases(5000) / 8);
     CHECK(misses > cases(5000) / 8);
     CHECK(undecided < cases(5000) / 8);
@@ -419,10 +444,10 @@ TEST_CASE("the surface of an instance is that of the baked mesh, smooth or flat,
         const Triangle face = baked(mesh.triangles.shapes[hit->element], m);
         const Vec3 flat = (glm::determinant(Mat3(m)) < 0 ? -1.0 : 1.0) * unit_normal(face);
         const Vec3 point = (1 - hit->uv.x - hit->uv.y) * face.a + hit->uv.x * face.b + hit->uv.y * face.c;
-        INFO(show(m) << "\nnormal " << show(surface.normal) << ", of the baked triangle " << show(flat));
+        INFO("the map" << m << "\nnormal and point; expected those of the triangle with the map baked in");
         // Corners of at most 1, moved by maps that stretch by at most 100 times and as much back.
-        CHECK(length(surface.normal - flat) <= gamma(100 * 100));
-        CHECK(length(surface.point - point) <= gamma(100) * (length(Vec3(m[3])) + 30));
+        CHECK(test::near_direction(surface.normal, flat, gamma(100 * 100)));
+        CHECK(test::near(surface.point, point, gamma(100) * (length(Vec3(m[3])) + 30)));
         if (mesh.triangles.normals.empty()) {
             CHECK(surface.shading_normal == surface.normal);
         } else {
@@ -453,7 +478,8 @@ TEST_CASE("a ray that starts outside of an instance's error box does not meet it
         ++tried;
         INFO(show(m) << "\npoint " << show(surface.point) << ", direction " << show(direction));
         // The mesh is convex and the ray goes outward: nothing is in its way.
-        CHECK_FALSE(is_hit(instance, {surface.point + step * n, direction}, ahead));
+        CHECK(test::or_say(!is_hit(instance, {surface.point + step * n, direction}, ahead),
+                           "the ray hits the instance again"));
     }
     CHECK(tried > cases(20000) / 16);
 }

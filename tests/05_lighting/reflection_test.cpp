@@ -18,6 +18,25 @@ Vec3 leaning(Real degrees) { return {std::sin(radians(degrees)), 0, std::cos(rad
 /// A hundred roundings of numbers near 1: far less than any mistake makes, more than any sound way needs.
 constexpr Real bound = 100 * unit_roundoff;
 
+void check_lambert(const Vec3& n, const Vec3& l, Real expected, Real within = 0) {
+    INFO("normal " << n << ", direction to the light " << l << ": the part of light by Lambert's law");
+    CHECK(near(lambert(n, l), expected, within));
+}
+
+/// What a highlight's name is in a message.
+struct Asked {
+    const char* name;
+    Real (*highlight)(const Vec3&, const Vec3&, const Vec3&, Real);
+};
+constexpr Asked of_blinn{"Blinn", blinn}, of_phong{"Phong", phong};
+
+void check_highlight(const Asked& asked, const Vec3& n, const Vec3& l, const Vec3& v, Real shininess,
+                     Real expected, Real within = 0) {
+    INFO(asked.name << "'s highlight: normal " << n << ", to the light " << l << ", to the viewer " << v
+                    << ", shininess " << shininess);
+    CHECK(near(asked.highlight(n, l, v, shininess), expected, within));
+}
+
 using Highlights = Real (*)(const Vec3&, const Vec3&, const Vec3&, Real);
 
 /// Directions that are made to give trouble: nearly equal, nearly opposite, perpendicular.
@@ -44,8 +63,8 @@ void check_range(Highlights highlight) {
         const Real choices[] = {0, 1, 40, 1e6, random.magnitude(-6, 12)};
         const Real shininess = choices[random.index(5)];
         const Real part = highlight(n, l, v, shininess);
-        INFO("n " << show(n) << ", l " << show(l) << ", v " << show(v) << ", shininess " << shininess << ": "
-                  << show(part));
+        INFO("normal " << n << ", to the light " << l << ", to the viewer " << v << ", shininess "
+                       << shininess << ": the highlight, from 0 to 1");
         REQUIRE(part >= 0);
         REQUIRE(part <= 1);
     }
@@ -63,21 +82,21 @@ Material matt(const Vec3& diffuse) {
 // ------------------------------------------------------------------------------------------- 05.2 Lambert
 
 TEST_CASE("Lambert: the cosine between normal and light", "[05.2]") {
-    CHECK(lambert(up, up) == 1);
-    CHECK(lambert(up, {0, 0.6, 0.8}) == 0.8);
-    CHECK(lambert(up, {-0.8, 0, 0.6}) == 0.6);
-    CHECK(std::abs(lambert(up, leaning(60)) - 0.5) <= bound);
+    check_lambert(up, up, 1);
+    check_lambert(up, {0, 0.6, 0.8}, 0.8);
+    check_lambert(up, {-0.8, 0, 0.6}, 0.6);
+    check_lambert(up, leaning(60), 0.5, bound);
 }
 
 TEST_CASE("Lambert: nothing from the side or from behind", "[05.2]") {
-    CHECK(lambert(up, {1, 0, 0}) == 0);
-    CHECK(lambert(up, {0, 0.6, -0.8}) == 0);
-    CHECK(lambert(up, -up) == 0);
+    check_lambert(up, {1, 0, 0}, 0);
+    check_lambert(up, {0, 0.6, -0.8}, 0);
+    check_lambert(up, -up, 0);
 }
 
 TEST_CASE("Lambert: zero vectors give 0", "[05.2]") {
-    CHECK(lambert(Vec3(0), up) == 0);
-    CHECK(lambert(up, Vec3(0)) == 0);
+    check_lambert(Vec3(0), up, 0);
+    check_lambert(up, Vec3(0), 0);
 }
 
 TEST_CASE("Lambert: light from all around a surface adds up to π", "[05.2]") {
@@ -89,47 +108,49 @@ TEST_CASE("Lambert: light from all around a surface adds up to π", "[05.2]") {
         sum += lambert(up, {std::sqrt(1 - z * z), 0, z});
     }
     // z is spaced evenly, so the midpoint rule is exact for the linear integrand.
-    CHECK(std::abs(4 * pi * sum / count - pi) <= count * bound);
+    INFO("the sum over all directions of the part by Lambert's law: π");
+    CHECK(near(4 * pi * sum / count, pi, count * bound));
 }
 
 // --------------------------------------------------------------------------------------------- 05.3 Blinn
 
 TEST_CASE("Blinn: brightest where the normal is half way between light and viewer", "[05.3]") {
     for (const Real shininess : {1.0, 10.0, 1000.0})
-        CHECK(std::abs(blinn(up, leaning(40), leaning(-40), shininess) - 1) <= shininess * bound);
+        check_highlight(of_blinn, up, leaning(40), leaning(-40), shininess, 1, shininess * bound);
 }
 
 TEST_CASE("Blinn: light from above, viewer at 60 degrees, half way at 30", "[05.3]") {
-    CHECK(std::abs(blinn(up, up, leaning(60), 1) - std::sqrt(3.0) / 2) <= bound);
-    CHECK(std::abs(blinn(up, up, leaning(60), 2) - 0.75) <= bound);
-    CHECK(std::abs(blinn(up, up, leaning(60), 8) - 0.31640625) <= bound);
+    check_highlight(of_blinn, up, up, leaning(60), 1, std::sqrt(3.0) / 2, bound);
+    check_highlight(of_blinn, up, up, leaning(60), 2, 0.75, bound);
+    check_highlight(of_blinn, up, up, leaning(60), 8, 0.31640625, bound);
 }
 
 TEST_CASE("Blinn: light and viewer may change places", "[05.3]") {
     Random random(55);
     for (int i = 0; i < cases(1'000); ++i) {
         const Vec3 n = random.direction(), l = random.direction(), v = random.direction();
-        INFO("n " << show(n) << ", l " << show(l) << ", v " << show(v));
+        INFO("normal " << n << ", to the light " << l << ", to the viewer " << v
+                       << ": the highlight, expected that with the two exchanged");
         REQUIRE(blinn(n, l, v, 7) == blinn(n, v, l, 7));
     }
 }
 
 TEST_CASE("Blinn: nothing where the half vector points away, or has no direction", "[05.3]") {
-    CHECK(blinn(up, -leaning(20), -leaning(10), 5) == 0);
-    CHECK(blinn(up, -leaning(20), -leaning(10), 0) == 0);
-    CHECK(blinn(up, leaning(50), -leaning(50), 5) == 0);
-    CHECK(blinn(up, leaning(50), -leaning(50), 0) == 0);
-    CHECK(blinn(Vec3(0), up, up, 5) == 0);
-    CHECK(blinn(up, Vec3(0), Vec3(0), 5) == 0);
+    check_highlight(of_blinn, up, -leaning(20), -leaning(10), 5, 0);
+    check_highlight(of_blinn, up, -leaning(20), -leaning(10), 0, 0);
+    check_highlight(of_blinn, up, leaning(50), -leaning(50), 5, 0);
+    check_highlight(of_blinn, up, leaning(50), -leaning(50), 0, 0);
+    check_highlight(of_blinn, Vec3(0), up, up, 5, 0);
+    check_highlight(of_blinn, up, Vec3(0), Vec3(0), 5, 0);
 }
 
 TEST_CASE("Blinn: shininess 0 is a highlight all over, shininess 1e6 a pinprick", "[05.3]") {
-    CHECK(blinn(up, up, leaning(80), 0) == 1);
-    CHECK(blinn(up, up, up, 1e6) == 1);
+    check_highlight(of_blinn, up, up, leaning(80), 0, 1);
+    check_highlight(of_blinn, up, up, up, 1e6, 1);
     // h is 0.05 degrees off: cos^1e6 is about exp(-1e6 · 0.05²/2) with the angle in radians.
-    CHECK(std::abs(blinn(up, up, leaning(0.1), 1e6) - std::exp(-0.5e6 * radians(0.05) * radians(0.05))) <=
-          1e-6);
-    CHECK(blinn(up, up, leaning(10), 1e6) <= 1e-300);
+    check_highlight(of_blinn, up, up, leaning(0.1), 1e6, std::exp(-0.5e6 * radians(0.05) * radians(0.05)),
+                    1e-6);
+    check_highlight(of_blinn, up, up, leaning(10), 1e6, 0, 1e-300);
 }
 
 TEST_CASE("Blinn: always between 0 and 1", "[05.3]") { check_range(blinn); }
@@ -137,32 +158,32 @@ TEST_CASE("Blinn: always between 0 and 1", "[05.3]") { check_range(blinn); }
 // --------------------------------------------------------------------------------------------- 05.4 Phong
 
 TEST_CASE("Phong: brightest in the mirror direction", "[05.4]") {
-    CHECK(phong({0, 1, 0}, {0.6, 0.8, 0}, {-0.6, 0.8, 0}, 3) == Approx(1).epsilon(bound));
+    check_highlight(of_phong, {0, 1, 0}, {0.6, 0.8, 0}, {-0.6, 0.8, 0}, 3, 1, bound);
     for (const Real shininess : {1.0, 10.0, 1000.0})
-        CHECK(std::abs(phong(up, leaning(40), leaning(-40), shininess) - 1) <= shininess * bound);
+        check_highlight(of_phong, up, leaning(40), leaning(-40), shininess, 1, shininess * bound);
 }
 
 TEST_CASE("Phong: viewer on the normal, light at cosine 0.8", "[05.4]") {
-    CHECK(std::abs(phong({0, 1, 0}, {0.6, 0.8, 0}, {0, 1, 0}, 1) - 0.8) <= bound);
-    CHECK(std::abs(phong({0, 1, 0}, {0.6, 0.8, 0}, {0, 1, 0}, 2) - 0.64) <= bound);
+    check_highlight(of_phong, {0, 1, 0}, {0.6, 0.8, 0}, {0, 1, 0}, 1, 0.8, bound);
+    check_highlight(of_phong, {0, 1, 0}, {0.6, 0.8, 0}, {0, 1, 0}, 2, 0.64, bound);
 }
 
 TEST_CASE("Phong: light from above, viewer at 60 degrees, so the mirror direction is 60 degrees away",
           "[05.4]") {
-    CHECK(std::abs(phong(up, up, leaning(60), 1) - 0.5) <= bound);
-    CHECK(std::abs(phong(up, up, leaning(60), 3) - 0.125) <= bound);
+    check_highlight(of_phong, up, up, leaning(60), 1, 0.5, bound);
+    check_highlight(of_phong, up, up, leaning(60), 3, 0.125, bound);
 }
 
 TEST_CASE("Phong: nothing where the mirror direction is 90 degrees away or more", "[05.4]") {
-    CHECK(phong({0, 1, 0}, {0.6, 0.8, 0}, {0.8, 0.6, 0}, 0.5) <= 1e-7);
-    CHECK(phong({0, 1, 0}, {0.6, 0.8, 0}, {0.96, 0.28, 0}, 0) == 0);
-    CHECK(phong({0, 1, 0}, {0.6, 0.8, 0}, {0.96, 0.28, 0}, 5) == 0);
+    check_highlight(of_phong, {0, 1, 0}, {0.6, 0.8, 0}, {0.8, 0.6, 0}, 0.5, 0, 1e-7);
+    check_highlight(of_phong, {0, 1, 0}, {0.6, 0.8, 0}, {0.96, 0.28, 0}, 0, 0);
+    check_highlight(of_phong, {0, 1, 0}, {0.6, 0.8, 0}, {0.96, 0.28, 0}, 5, 0);
 }
 
 TEST_CASE("Phong: shininess 0 is a highlight all over, shininess 1e6 a pinprick", "[05.4]") {
-    CHECK(phong(up, leaning(-30), leaning(40), 0) == 1);
-    CHECK(phong(up, up, up, 1e6) == 1);
-    CHECK(phong(up, up, leaning(10), 1e6) <= 1e-300);
+    check_highlight(of_phong, up, leaning(-30), leaning(40), 0, 1);
+    check_highlight(of_phong, up, up, up, 1e6, 1);
+    check_highlight(of_phong, up, up, leaning(10), 1e6, 0, 1e-300);
 }
 
 TEST_CASE("Phong: always between 0 and 1", "[05.4]") { check_range(phong); }
@@ -175,7 +196,8 @@ TEST_CASE("Phong's angle is twice Blinn's where light, normal and viewer lie in 
         const Real half = blinn(up, leaning(to_light), leaning(to_viewer), 1);
         const Real mirrored = phong(up, leaning(to_light), leaning(to_viewer), 1);
         INFO("light at " << to_light << " degrees, viewer at " << to_viewer);
-        REQUIRE(std::abs(mirrored - (2 * half * half - 1)) <= bound);
+        INFO("Phong's cosine, expected that of twice Blinn's angle, whose cosine is " << half);
+        REQUIRE(near(mirrored, 2 * half * half - 1, bound));
     }
 }
 
@@ -184,9 +206,15 @@ TEST_CASE("Phong's angle is twice Blinn's where light, normal and viewer lie in 
 TEST_CASE("a matt surface: visibility · colour · diffuse · cosine", "[05.5]") {
     const LightSample light{.direction = {0, 0.6, 0.8}, .distance = 1, .color = {2, 4, 1}};
     const Material material = matt({0.5, 0.25, 1});
-    CHECK(near(reflected_light(material, up, up, light, Vec3(1)), {0.8, 0.8, 0.8}, bound));
-    CHECK(near(reflected_light(material, up, up, light, {1, 0.5, 0}), {0.8, 0.4, 0}, bound));
-    CHECK(reflected_light(material, up, up, light, Vec3(0)) == Vec3(0));
+    const auto check = [&](const Vec3& visibility, const Vec3& expected) {
+        INFO(
+            "light of colour (2, 4, 1) on a surface of diffuse colour (0.5, 0.25, 1), cosine 0.8, visibility "
+            << visibility << ": the reflected light");
+        CHECK(near_color(reflected_light(material, up, up, light, visibility), expected, bound));
+    };
+    check(Vec3(1), {0.8, 0.8, 0.8});
+    check({1, 0.5, 0}, {0.8, 0.4, 0});
+    check(Vec3(0), Vec3(0));
 }
 
 TEST_CASE("a shiny surface adds specular · highlight", "[05.5]") {
@@ -194,10 +222,17 @@ TEST_CASE("a shiny surface adds specular · highlight", "[05.5]") {
     Material material = matt({0.5, 0, 0});
     material.specular = {0, 0.25, 0.5};
     material.shininess = 2;
+    const auto check = [&](const char* name, const Vec3& expected) {
+        INFO(
+            "light of colour (1, 2, 4) from straight above, the viewer at 60 degrees; diffuse (0.5, 0, 0), "
+            "specular (0, 0.25, 0.5), shininess 2, highlight by "
+            << name << ": the reflected light");
+        CHECK(near_color(reflected_light(material, up, leaning(60), light, Vec3(1)), expected, bound));
+    };
     // h is at 30 degrees from the normal, r at 60 from the viewer.
-    CHECK(near(reflected_light(material, up, leaning(60), light, Vec3(1)), {0.5, 0.375, 1.5}, bound));
+    check("Blinn", {0.5, 0.375, 1.5});
     material.highlight = Highlight::Phong;
-    CHECK(near(reflected_light(material, up, leaning(60), light, Vec3(1)), {0.5, 0.125, 0.5}, bound));
+    check("Phong", {0.5, 0.125, 0.5});
 }
 
 TEST_CASE("light from behind gives nothing, not even a highlight", "[05.5]") {
@@ -208,8 +243,13 @@ TEST_CASE("light from behind gives nothing, not even a highlight", "[05.5]") {
     const LightSample behind{.direction = leaning(95), .distance = 1, .color = Vec3(1)};
     for (const Highlight highlight : {Highlight::Blinn, Highlight::Phong}) {
         material.highlight = highlight;
-        CHECK(reflected_light(material, up, leaning(-60), behind, Vec3(1)) == Vec3(0));
-        CHECK(reflected_light(material, up, leaning(-60), {{1, 0, 0}, 1, Vec3(1)}, Vec3(1)) == Vec3(0));
+        INFO(
+            "light that comes from 5 degrees below the surface, and light along it: the reflected light, "
+            "highlight "
+            << (highlight == Highlight::Blinn ? "by Blinn" : "by Phong"));
+        CHECK(near_color(reflected_light(material, up, leaning(-60), behind, Vec3(1)), Vec3(0), 0));
+        CHECK(near_color(reflected_light(material, up, leaning(-60), {{1, 0, 0}, 1, Vec3(1)}, Vec3(1)),
+                         Vec3(0), 0));
     }
 }
 
@@ -225,13 +265,14 @@ TEST_CASE("zero normals and directions, and light on the surface, give black and
                     for (const Highlight highlight : {Highlight::Blinn, Highlight::Phong}) {
                         material.highlight = highlight;
                         const Vec3 color = reflected_light(material, n, v, {l, 0, Vec3(1)}, Vec3(1));
-                        INFO("n " << show(n) << ", l " << show(l) << ", v " << show(v) << ": "
-                                  << show(color));
-                        REQUIRE(is_finite(color));
+                        INFO("normal " << n << ", to the light " << l << ", to the viewer " << v
+                                       << ": the reflected light is " << color);
+                        REQUIRE(or_say(is_finite(color), "the colour is not finite"));
                         if (n == Vec3(0) || l == Vec3(0)) REQUIRE(color == Vec3(0));
                     }
     }
     const LightSample on_the_point = sample_light(PointLight{.position = up, .color = Vec3(1)}, up);
+    INFO("the reflected light of a lamp on the very point");
     CHECK(reflected_light(material, up, up, on_the_point, Vec3(1)) == Vec3(0));
 }
 
@@ -246,6 +287,7 @@ TEST_CASE("twice the light is twice the radiance, and lights do not disturb each
         const Vec3 n = random.direction(), v = random.direction();
         const Vec3 once = reflected_light(material, n, v, light, Vec3(1));
         light.color *= 2;
+        INFO("the reflected light of twice the light, expected twice " << once);
         REQUIRE(reflected_light(material, n, v, light, Vec3(1)) == Real(2) * once);
     }
 }
@@ -254,7 +296,8 @@ TEST_CASE("what a surface shows without light is ambient plus emission", "[05.5]
     Material material = matt(Vec3(1));
     material.ambient = {0.125, 0.25, 0};
     material.emission = {0.25, 0, 0.5};
-    CHECK(emitted_light(material) == Vec3(0.375, 0.25, 0.5));
+    INFO("ambient (0.125, 0.25, 0), emission (0.25, 0, 0.5): the emitted light");
+    CHECK(near_color(emitted_light(material), {0.375, 0.25, 0.5}, 0));
 }
 
 TEST_CASE("a million lights add up", "[05.5]") {
@@ -268,7 +311,7 @@ TEST_CASE("a million lights add up", "[05.5]") {
     Material material = matt(Vec3(0.5));
     material.ambient = Vec3(0.125);
     const Vec3 color = local_light(world, surface, material, up, up);
-    INFO(count << " lights: " << show(color));
+    INFO(count << " lights, together white, above a surface of diffuse 0.5 and ambient 0.125: what it shows");
     // Half of all the light, and the ambient; a rounding for each addition.
-    CHECK(near(color, Vec3(0.625), count * unit_roundoff));
+    CHECK(near_color(color, Vec3(0.625), count * unit_roundoff));
 }

@@ -26,43 +26,53 @@ Case some_case(Random& random) {
     return made;
 }
 
+void check_sample(const LightSample& sample, const Vec3& direction, Real distance, const Vec3& color,
+                  Real bound = 0) {
+    {
+        INFO("the direction, from the point to the light");
+        CHECK(near_direction(sample.direction, direction, bound));
+    }
+    {
+        INFO("the distance");
+        CHECK(near(sample.distance, distance, bound));
+    }
+    INFO("the colour of the light that arrives");
+    CHECK(near_color(sample.color, color, bound));
+}
+
 }  // namespace
 
 TEST_CASE("a point light two units above", "[05.1]") {
     const PointLight light{.position = {1, 5, -1}, .color = {0.5, 0.25, 1}};
-    const LightSample sample = sample_light(light, {1, 3, -1});
-    CHECK(sample.direction == Vec3(0, 1, 0));
-    CHECK(sample.distance == 2);
-    CHECK(sample.color == Vec3(0.5, 0.25, 1));
+    INFO(light << "\nseen from (1, 3, -1)");
+    check_sample(sample_light(light, {1, 3, -1}), {0, 1, 0}, 2, {0.5, 0.25, 1});
 }
 
 TEST_CASE("light at distance 5 is divided by 1 + 2·5 + 3·25", "[05.1]") {
     const PointLight light{.position = {3, 4, 0}, .color = {86, 172, 43}, .attenuation = {1, 2, 3}};
-    const LightSample sample = sample_light(light, {0, 0, 0});
-    INFO(show(sample));
-    CHECK(near(sample.direction, {0.6, 0.8, 0}, 2 * unit_roundoff));
-    CHECK(near(sample.distance, 5, 16 * unit_roundoff));
-    CHECK(near(sample.color, {1, 2, 0.5}, 16 * unit_roundoff));
+    INFO(light << "\nseen from (0, 0, 0), at distance 5: its colour is divided by 86");
+    check_sample(sample_light(light, {0, 0, 0}), {0.6, 0.8, 0}, 5, {1, 2, 0.5}, 16 * unit_roundoff);
 }
 
 TEST_CASE("each term of the attenuation works alone", "[05.1]") {
     const Vec3 point(0, 0, -4);
-    const auto color_with = [&](const Vec3& attenuation) {
-        return sample_light(PointLight{.color = Vec3(1), .attenuation = attenuation}, point).color;
+    const auto check = [&](const Vec3& attenuation, Real divisor) {
+        INFO("a white light at distance 4, attenuation " << attenuation << ": its colour is divided by "
+                                                         << divisor);
+        const LightSample sample =
+            sample_light(PointLight{.color = Vec3(1), .attenuation = attenuation}, point);
+        CHECK(near_color(sample.color, Vec3(1 / divisor), 0));
     };
-    CHECK(color_with({2, 0, 0}) == Vec3(1.0 / 2));
-    CHECK(color_with({0, 2, 0}) == Vec3(1.0 / 8));
-    CHECK(color_with({0, 0, 2}) == Vec3(1.0 / 32));
+    check({2, 0, 0}, 2);
+    check({0, 2, 0}, 8);
+    check({0, 0, 2}, 32);
 }
 
 TEST_CASE("a directional light is the same everywhere", "[05.1]") {
     const DirectionalLight sun{.direction = {0, 0.6, 0.8}, .color = {0.9, 0.8, 0.7}};
     for (const Vec3& point : {Vec3(0), Vec3(1e9, -3, 0), Vec3(0, 0, 1e-9)}) {
-        const LightSample sample = sample_light(sun, point);
-        INFO("at " << show(point) << ": " << show(sample));
-        CHECK(sample.direction == Vec3(0, 0.6, 0.8));
-        CHECK(sample.distance == infinity);
-        CHECK(sample.color == Vec3(0.9, 0.8, 0.7));
+        INFO(sun << "\nseen from " << point);
+        check_sample(sample_light(sun, point), {0, 0.6, 0.8}, infinity, {0.9, 0.8, 0.7});
     }
 }
 
@@ -70,20 +80,17 @@ TEST_CASE("a light on the very point gives nothing, at distance 0", "[05.1]") {
     for (const Vec3& attenuation : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0)}) {
         const PointLight light{.position = {1, 2, 3}, .color = Vec3(1), .attenuation = attenuation};
         const LightSample sample = sample_light(light, {1, 2, 3});
-        INFO(show(light) << " gives " << show(sample));
-        CHECK(sample.color == Vec3(0));
+        INFO(light << "\nseen from where it is gives " << sample << "; expected black at distance 0");
+        CHECK(near_color(sample.color, Vec3(0), 0));
         CHECK(sample.distance == 0);
-        CHECK(is_finite(sample.direction));
+        CHECK(or_say(is_finite(sample.direction), "the direction is not a number"));
     }
 }
 
 TEST_CASE("attenuation 0 0 0 gives nothing rather than infinity", "[05.1]") {
     const PointLight light{.position = {0, 3, 0}, .color = {1, 0, 1}, .attenuation = Vec3(0)};
-    const LightSample sample = sample_light(light, Vec3(0));
-    INFO(show(sample));
-    CHECK(sample.color == Vec3(0));
-    CHECK(sample.direction == Vec3(0, 1, 0));
-    CHECK(sample.distance == 3);
+    INFO(light << "\nseen from (0, 0, 0): where the divisor is 0 no light arrives");
+    check_sample(sample_light(light, Vec3(0)), {0, 1, 0}, 3, Vec3(0));
 }
 
 TEST_CASE("light is a finite number however near or far the lamp", "[05.1]") {
@@ -93,10 +100,10 @@ TEST_CASE("light is a finite number however near or far the lamp", "[05.1]") {
             const PointLight light{
                 .position = {0, 0, distance}, .color = {1, 0, 1e6}, .attenuation = attenuation};
             const LightSample sample = sample_light(light, Vec3(0));
-            INFO(show(light) << " gives " << show(sample));
-            REQUIRE(is_finite(sample.color));
-            REQUIRE(is_finite(sample.direction));
-            REQUIRE(sample.distance >= 0);
+            INFO(light << "\nseen from (0, 0, 0) gives " << sample);
+            REQUIRE(or_say(is_finite(sample.color), "the colour is not finite"));
+            REQUIRE(or_say(is_finite(sample.direction), "the direction is not finite"));
+            REQUIRE(or_say(sample.distance >= 0, "the distance is negative or not a number"));
         }
     }
 }
@@ -107,9 +114,11 @@ TEST_CASE("direction and distance lead from the point to the light", "[05.1]") {
         const auto [light, point] = some_case(random);
         const LightSample sample = sample_light(light, point);
         const Vec3 way = light.position - point;
-        INFO(show(light) << " seen from " << show(point) << " is " << show(sample));
+        INFO(light << "\nseen from " << point
+                   << ": the length of the direction, and distance times direction, the way from the point "
+                      "to the light");
         // One rounding in the difference, 2.5 in its length, one in the quotient.
-        REQUIRE(std::abs(length(sample.direction) - 1) <= 8 * unit_roundoff);
+        REQUIRE(near(length(sample.direction), 1, 8 * unit_roundoff));
         REQUIRE(near(sample.distance * sample.direction, way, 8 * unit_roundoff * length(way)));
     }
 }
@@ -122,10 +131,10 @@ TEST_CASE("colour times divisor is the light's colour", "[05.1]") {
         const Vec3 attenuation = light.attenuation;
         const Real d = length(light.position - point);
         const Vec3 back = sample.color * (attenuation.x + attenuation.y * d + attenuation.z * d * d);
-        INFO(show(light) << " at " << show(point) << " gives " << show(sample));
+        INFO(light << "\nseen from " << point << ", at distance " << d << ": the colour times the divisor");
         // Twice up to 4 roundings for d, squared, and 5 for sums and products; all terms are positive.
         for (int k = 0; k < 3; ++k)
-            REQUIRE(std::abs(back[k] - light.color[k]) <= 32 * unit_roundoff * light.color[k]);
+            REQUIRE(near(back[k], light.color[k], 32 * unit_roundoff * light.color[k]));
     }
 }
 
@@ -141,7 +150,8 @@ TEST_CASE("in a scene twice as large, lights are twice as far and have the same 
             light.position *= factor;
             const LightSample scaled = sample_light(light, factor * point);
             light.position /= factor;
-            INFO(show(light) << " at " << show(point) << ", all times " << show(factor));
+            INFO(light << "\nseen from " << point << ", and in a scene " << factor
+                       << " times as large: direction, distance, colour");
             REQUIRE(scaled.direction == sample.direction);
             REQUIRE(scaled.distance == factor * sample.distance);
             REQUIRE(scaled.color == sample.color);

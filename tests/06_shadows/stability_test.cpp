@@ -93,8 +93,8 @@ TEST_CASE("no surface shadows itself, and no occluder is lost", "[06.2][stabilit
         add(counts.derived, derived);
         add(counts.epsilon, epsilon);
         INFO(family.name << " (" << family.extremes << "): " << describe(derived));
-        CHECK(derived.self_hits == 0);
-        CHECK(derived.lost == 0);
+        CHECK(test::or_say(derived.self_hits == 0, "shadow rays hit the surface that they start on"));
+        CHECK(test::or_say(derived.lost == 0, "shadow rays miss what stands in their way"));
         INFO("a fixed epsilon: " << describe(epsilon));
         check_fails(epsilon.self_hits + epsilon.lost);
     }
@@ -125,8 +125,8 @@ TEST_CASE("a scene larger or smaller by a power of two makes the same picture, t
             const Image other = render(compile(scaled)).image;
             const std::size_t different = pixels_that_differ(other, image);
             if (different > 0) test::pictures_differ(other, image);
-            INFO(name << " at 2^" << k << ": " << different << " of " << image.pixels.size()
-                      << " pixels differ");
+            INFO("the scene " << name << " with all lengths times 2^" << k << ": how many of "
+                              << image.pixels.size() << " pixels differ");
             CHECK(different == 0);
         }
     }

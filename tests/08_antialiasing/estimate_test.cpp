@@ -23,8 +23,10 @@ Vec2 normal_pair(test::Random& random) {
     return {r * std::cos(phi), r * std::sin(phi)};
 }
 
-std::vector<int> counts_of(const std::vector<Real>& deviations, long long total) {
-    return sample_counts(deviations, total);
+void check_counts(const std::vector<Real>& deviations, long long total, const std::vector<int>& expected) {
+    INFO(total << " samples for pixels of deviations " << show(deviations) << ": how many each gets");
+    const std::vector<int> counts = sample_counts(deviations, total);
+    CHECK(test::or_say(counts == expected, show(counts) + ", expected " + show(expected)));
 }
 
 long long sum_of(const std::vector<int>& counts) {
@@ -141,14 +143,20 @@ TEST_CASE("mean and standard error of 1, 2, 3, 4", "[08.7]") {
     const Estimate e = estimate(values);
     // s² = (2.25 + 0.25 + 0.25 + 2.25)/3 = 5/3, and a quarter of it is the mean's.
     const Real expected = std::sqrt(Real(5) / 12);
-    INFO("mean " << e.mean.x << ", standard error " << e.standard_error.x << ", expected " << expected);
-    CHECK(e.mean == Vec3(2.5, 7, -2.5));
+    INFO("the values (1, 7, -1), (2, 7, -2), (3, 7, -3) and (4, 7, -4)");
+    {
+        INFO("their mean");
+        CHECK(e.mean == Vec3(2.5, 7, -2.5));
+    }
+    INFO(
+        "the standard error of the mean in x, s/√4 with s² = 5/3; in y, where all are the same; in z, as in x");
     CHECK(test::near(e.standard_error.x, expected, 4 * u));
     CHECK(e.standard_error.y == 0);
     CHECK(e.standard_error.z == e.standard_error.x);
 }
 
 TEST_CASE("fewer than two values say nothing of their error", "[08.7]") {
+    INFO("mean and standard error of no values, then of one");
     CHECK(estimate({}).mean == Vec3(0));
     CHECK(estimate({}).standard_error == Vec3(infinity));
     const Vec3 one(0.25, 0.5, 1);
@@ -160,8 +168,9 @@ TEST_CASE("values that are all the same have that mean and no error", "[08.7]") 
     const std::vector<Vec3> values(1000, Vec3(0.1, 1e8, 1e-8));
     const Estimate e = estimate(values);
     for (int i = 0; i < 3; ++i) {
-        CHECK(std::abs(e.mean[i] / values[0][i] - 1) <= 2 * u);
-        CHECK(e.standard_error[i] <= u * values[0][i]);
+        INFO("1000 times the value " << values[0][i] << ": the mean by the value, and the standard error");
+        CHECK(test::near(e.mean[i] / values[0][i], 1, 2 * u));
+        CHECK(test::near(e.standard_error[i], 0, u * values[0][i]));
     }
 }
 
@@ -181,12 +190,13 @@ TEST_CASE("a small spread far from 0 does not cancel", "[08.7]") {
         const Estimate e = estimate(far);
         for (int i = 0; i < 3; ++i) {
             const Real error = std::sqrt(squares[i] / static_cast<Real>(n - 1) / static_cast<Real>(n));
-            INFO(n << " values: standard error " << e.standard_error[i] << ", expected " << error);
+            INFO(n << " values near 1e8 that differ by less than 1e-6: the mean less 1e8, and the standard "
+                      "error");
             // The mean cannot be told better than doubles near 1e8 lie. The square's relative error is
             // n·u + n³u³κ², where κ = 1e14 is the mean by the spread (Chan, Golub & LeVeque 1983).
             const Real nu = static_cast<Real>(n) * u;
-            CHECK(std::abs(e.mean[i] - 1e8 - mean[i]) <= 2 * u * 1e8);
-            CHECK(std::abs(e.standard_error[i] - error) <= (4 * nu + nu * nu * nu * 1e28) * error);
+            CHECK(test::near(e.mean[i] - 1e8, mean[i], 2 * u * 1e8));
+            CHECK(test::near(e.standard_error[i], error, (4 * nu + nu * nu * nu * 1e28) * error));
         }
     }
 }
@@ -206,47 +216,48 @@ TEST_CASE("the true mean is within two standard errors as often as Student says"
         within += std::abs(e.mean.y) < 2 * e.standard_error.y;
     }
     const Real part = static_cast<Real>(within) / (2 * trials);
-    INFO("within two standard errors: " << part << ", expected " << expected);
+    INFO("of " << 2 * trials
+               << " means of five normally distributed values, the part within two standard errors");
     // Five standard deviations of the number found. With n for n − 1 it would be 0.852, and 0.32 away or
     // more.
-    CHECK(std::abs(part - expected) < 5 * std::sqrt(expected * (1 - expected) / (2 * trials)));
+    CHECK(test::near(part, expected, 5 * std::sqrt(expected * (1 - expected) / (2 * trials))));
 }
 
 // 08.8 ---------------------------------------------------------------------------------------------------
 
 TEST_CASE("samples are shared out in proportion to the deviations", "[08.8]") {
-    CHECK(counts_of({1, 3}, 8) == std::vector<int>{2, 6});
-    CHECK(counts_of({0.25, 0.5, 0.25}, 16) == std::vector<int>{4, 8, 4});
-    CHECK(counts_of({5}, 17) == std::vector<int>{17});
+    check_counts({1, 3}, 8, {2, 6});
+    check_counts({0.25, 0.5, 0.25}, 16, {4, 8, 4});
+    check_counts({5}, 17, {17});
 }
 
 TEST_CASE("each pixel has at least one sample, which the others go without", "[08.8]") {
-    CHECK(counts_of({0, 1, 3}, 9) == std::vector<int>{1, 2, 6});
-    CHECK(counts_of({1, 2, 100}, 10) == std::vector<int>{1, 1, 8});
+    check_counts({0, 1, 3}, 9, {1, 2, 6});
+    check_counts({1, 2, 100}, 10, {1, 1, 8});
     // 9.9 · 5/48.9 is more than 1, but once the first has got its one there are 4 left, and 9.9 · 4/39.9 is
     // less.
-    CHECK(counts_of({9, 9.9, 30}, 5) == std::vector<int>{1, 1, 3});
-    CHECK(counts_of({1, 5, 2}, 3) == std::vector<int>{1, 1, 1});
-    CHECK(counts_of({1, 5, 2}, 2) == std::vector<int>{1, 1, 1});
-    CHECK(counts_of({1, 5, 2}, 0) == std::vector<int>{1, 1, 1});
-    CHECK(counts_of({}, 10).empty());
+    check_counts({9, 9.9, 30}, 5, {1, 1, 3});
+    check_counts({1, 5, 2}, 3, {1, 1, 1});
+    check_counts({1, 5, 2}, 2, {1, 1, 1});
+    check_counts({1, 5, 2}, 0, {1, 1, 1});
+    check_counts({}, 10, {});
 }
 
 TEST_CASE("of shares that are not whole the greatest fractions are rounded up", "[08.8]") {
     // 3.5, 2.1 and 1.4.
-    CHECK(counts_of({5, 3, 2}, 7) == std::vector<int>{4, 2, 1});
+    check_counts({5, 3, 2}, 7, {4, 2, 1});
     // 1.75, 3.5 and 1.75.
-    CHECK(counts_of({1, 2, 1}, 7) == std::vector<int>{2, 3, 2});
+    check_counts({1, 2, 1}, 7, {2, 3, 2});
     // Equal fractions: the first ones.
-    CHECK(counts_of({1, 1, 1, 1}, 6) == std::vector<int>{2, 2, 1, 1});
+    check_counts({1, 1, 1, 1}, 6, {2, 2, 1, 1});
 }
 
 TEST_CASE("without deviations all get the same, and infinite ones share what there is", "[08.8]") {
-    CHECK(counts_of({0, 0, 0}, 8) == std::vector<int>{3, 3, 2});
-    CHECK(counts_of({infinity, 1, infinity, 0}, 12) == std::vector<int>{5, 1, 5, 1});
-    CHECK(counts_of({1e300, 1e-300, 1e300}, 9) == std::vector<int>{4, 1, 4});
-    CHECK(counts_of({5e-324, 0, 1.5e-323}, 9) == std::vector<int>{2, 1, 6});
-    CHECK(counts_of({1.7e308, 1.7e308}, 10) == std::vector<int>{5, 5});
+    check_counts({0, 0, 0}, 8, {3, 3, 2});
+    check_counts({infinity, 1, infinity, 0}, 12, {5, 1, 5, 1});
+    check_counts({1e300, 1e-300, 1e300}, 9, {4, 1, 4});
+    check_counts({5e-324, 0, 1.5e-323}, 9, {2, 1, 6});
+    check_counts({1.7e308, 1.7e308}, 10, {5, 5});
 }
 
 TEST_CASE("all the samples are spent, and no pixel gets one more or less than its share", "[08.8]") {
@@ -261,14 +272,18 @@ TEST_CASE("all the samples are spent, and no pixel gets one more or less than it
         const auto total = static_cast<long long>(pixels + random.index(3000));
         const std::vector<int> counts = sample_counts(deviations, total);
         INFO(pixels << " pixels, " << total << " samples: " << show(counts));
-        REQUIRE(counts.size() == pixels);
-        REQUIRE(sum_of(counts) == total);
+        {
+            INFO("how many counts there are, and their sum");
+            REQUIRE(counts.size() == pixels);
+            REQUIRE(sum_of(counts) == total);
+        }
         const std::vector<Real> share = shares(deviations, total);
         for (std::size_t k = 0; k < pixels; ++k) {
             const bool right = counts[k] >= 1 && std::abs(counts[k] - share[k]) < 1 + 1e-9;
             INFO("pixel " << k << ": deviation " << deviations[k] << ", share " << share[k] << ", got "
                           << counts[k]);
-            if (!right) REQUIRE(right);
+            REQUIRE(test::or_say(right,
+                                 counts[k] < 1 ? "it got none" : "it got one more or less than its share"));
         }
     }
 }
@@ -290,7 +305,7 @@ TEST_CASE("adaptive sampling has no bias in a million samples, if its pilot is t
     }
     const Real t_uniform = t_of_contrast(picture, uniform), t_adaptive = t_of_contrast(picture, adaptive),
                t_reused = t_of_contrast(picture, reused);
-    INFO("Student's t of the contrast of edges: uniform "
+    INFO("by how many of its standard errors the contrast of edges is off (Student's t): uniform "
          << t_uniform << ", adaptive " << t_adaptive << ", adaptive with the pilot's samples " << t_reused);
     CHECK(std::abs(t_uniform) < test::t_limit);
     CHECK(std::abs(t_adaptive) < test::t_limit);

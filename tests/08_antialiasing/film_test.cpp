@@ -19,7 +19,11 @@ constexpr Real u = unit_roundoff;
 const Filter box{FilterKind::Box, 0.5}, tent{FilterKind::Tent, 1}, gaussian{FilterKind::Gaussian, 1.5},
     mitchell{FilterKind::Mitchell, 2};
 const Filter all_filters[] = {box, tent, gaussian, mitchell};
-const char* const names[] = {"box", "tent", "gaussian", "mitchell"};
+
+std::string name_of(const Filter& filter) {
+    const char* const names[] = {"box", "tent", "Gaussian filter", "Mitchell filter"};
+    return names[static_cast<std::size_t>(filter.kind)];
+}
 
 /// One factor of a separable filter: the weight at (x, 0) without the factor of y = 0.
 Real factor(const Filter& filter, Real x) {
@@ -62,47 +66,58 @@ std::vector<FilmSample> even_samples(int width, int height, int n, const Vec3& c
     return samples;
 }
 
+void check_weight(const Filter& filter, const Vec2& offset, Real expected, Real bound = 0) {
+    INFO("the " << name_of(filter) << " of radius " << filter.radius << " at " << offset
+                << " from the pixel's centre");
+    CHECK(near(filter_weight(filter, offset), expected, bound));
+}
+
+void check_color(const FilmPixel& pixel, const Vec3& expected, const char* samples) {
+    INFO(samples << "\nthe colour of the film's pixel: " << pixel);
+    CHECK(test::near_color(color_of(pixel), expected, 0));
+}
+
 }  // namespace
 
 // 08.5 ---------------------------------------------------------------------------------------------------
 
 TEST_CASE("the box counts all alike that are not outside", "[08.5]") {
-    CHECK(filter_weight(box, {0, 0}) == 1);
-    CHECK(filter_weight(box, {0.25, -0.4}) == 1);
-    CHECK(filter_weight(box, {0.5, -0.5}) == 1);
-    CHECK(filter_weight(box, {0.5000001, 0}) == 0);
-    CHECK(filter_weight(box, {0, -0.5000001}) == 0);
-    CHECK(filter_weight({FilterKind::Box, 3}, {2.5, 2}) == 1);
+    check_weight(box, {0, 0}, 1);
+    check_weight(box, {0.25, -0.4}, 1);
+    check_weight(box, {0.5, -0.5}, 1);
+    check_weight(box, {0.5000001, 0}, 0);
+    check_weight(box, {0, -0.5000001}, 0);
+    check_weight({FilterKind::Box, 3}, {2.5, 2}, 1);
 }
 
 TEST_CASE("the tent falls evenly to its end", "[08.5]") {
-    CHECK(filter_weight(tent, {0, 0}) == 1);
-    CHECK(filter_weight(tent, {0.5, 0}) == 0.5);
-    CHECK(filter_weight(tent, {0, -0.75}) == 0.25);
-    CHECK(filter_weight(tent, {0.5, 0.5}) == 0.25);
-    CHECK(filter_weight(tent, {1, 0}) == 0);
-    CHECK(filter_weight({FilterKind::Tent, 2}, {1, 0}) == 0.5);
+    check_weight(tent, {0, 0}, 1);
+    check_weight(tent, {0.5, 0}, 0.5);
+    check_weight(tent, {0, -0.75}, 0.25);
+    check_weight(tent, {0.5, 0.5}, 0.25);
+    check_weight(tent, {1, 0}, 0);
+    check_weight({FilterKind::Tent, 2}, {1, 0}, 0.5);
 }
 
 TEST_CASE("the Gaussian is a bell that reaches 0 at its end", "[08.5]") {
     // e^-4.5 = 0.0111090 and e^-0.5 = 0.6065307; s is a third of the radius.
     const Real top = 0.9888910034617577, at_s = 0.5954216631743912;
-    CHECK(near(filter_weight(gaussian, {0, 0}), top * top, 8 * u));
-    CHECK(near(filter_weight(gaussian, {0.5, 0}), at_s * top, 8 * u));
-    CHECK(near(filter_weight(gaussian, {-0.5, 0.5}), at_s * at_s, 8 * u));
-    CHECK(near(filter_weight({FilterKind::Gaussian, 6}, {2, 0}), at_s * top, 8 * u));
-    CHECK(near(filter_weight(gaussian, {1.5, 0}), 0, 8 * u));
+    check_weight(gaussian, {0, 0}, top * top, 8 * u);
+    check_weight(gaussian, {0.5, 0}, at_s * top, 8 * u);
+    check_weight(gaussian, {-0.5, 0.5}, at_s * at_s, 8 * u);
+    check_weight({FilterKind::Gaussian, 6}, {2, 0}, at_s * top, 8 * u);
+    check_weight(gaussian, {1.5, 0}, 0, 8 * u);
 }
 
 TEST_CASE("Mitchell's filter is 8/9 at its top and 1/18 half way, then negative", "[08.5]") {
     const Real top = 8. / 9;
-    CHECK(near(filter_weight(mitchell, {0, 0}), top * top, 4 * u));
-    CHECK(near(filter_weight(mitchell, {1, 0}), top / 18, 4 * u));
-    CHECK(near(filter_weight(mitchell, {-1, 1}), 1. / 18 / 18, 4 * u));
+    check_weight(mitchell, {0, 0}, top * top, 4 * u);
+    check_weight(mitchell, {1, 0}, top / 18, 4 * u);
+    check_weight(mitchell, {-1, 1}, 1. / 18 / 18, 4 * u);
     // (2 − 3/2)² · (8 − 21/2)/18 = −5/144.
-    CHECK(near(filter_weight(mitchell, {0, 1.5}), -top * 5 / 144, 4 * u));
-    CHECK(near(filter_weight(mitchell, {2, 0}), 0, 4 * u));
-    CHECK(near(filter_weight({FilterKind::Mitchell, 1}, {0, 0.75}), -top * 5 / 144, 4 * u));
+    check_weight(mitchell, {0, 1.5}, -top * 5 / 144, 4 * u);
+    check_weight(mitchell, {2, 0}, 0, 4 * u);
+    check_weight({FilterKind::Mitchell, 1}, {0, 0.75}, -top * 5 / 144, 4 * u);
 }
 
 TEST_CASE("Mitchell's filter is the paper's cubic with B = C = 1/3", "[08.5]") {
@@ -113,10 +128,9 @@ TEST_CASE("Mitchell's filter is the paper's cubic with B = C = 1/3", "[08.5]") {
         const Real expected =
             cubic(2 * offset.x / radius, 1. / 3, 1. / 3) * cubic(2 * offset.y / radius, 1. / 3, 1. / 3);
         const Real actual = filter_weight({FilterKind::Mitchell, radius}, offset);
-        INFO("radius " << radius << ", offset " << offset.x << " " << offset.y << ", actual " << actual
-                       << ", expected " << expected);
+        INFO("Mitchell's filter of radius " << radius << " at " << offset << " from the pixel's centre");
         // Terms of the paper's form reach 20/3 · 2 and cancel to 0; a few roundings of each.
-        if (!near(actual, expected, 64 * u)) REQUIRE(near(actual, expected, 64 * u));
+        REQUIRE(near(actual, expected, 64 * u));
     }
 }
 
@@ -128,22 +142,22 @@ TEST_CASE("filters are symmetric, products of what they do along each axis, and 
         const Vec2 offset(random.uniform(-1.5, 1.5) * filter.radius,
                           random.uniform(-1.5, 1.5) * filter.radius);
         const Real weight = filter_weight(filter, offset);
-        INFO(names[kind] << " of radius " << filter.radius << " at " << offset.x << " " << offset.y << ": "
-                         << weight);
+        INFO("the " << name_of(filter) << " of radius " << filter.radius << " weighs " << weight << " at "
+                    << offset);
         const bool outside = std::max(std::abs(offset.x), std::abs(offset.y)) > filter.radius;
-        const bool right =
-            weight == filter_weight(filter, {-offset.x, offset.y}) &&
-            weight == filter_weight(filter, {offset.x, -offset.y}) &&
-            weight == filter_weight(filter, {offset.y, offset.x}) &&
-            (outside ? weight == 0
-                     : near(weight, factor(filter, offset.x) * factor(filter, offset.y), 16 * u));
-        if (!right) REQUIRE(right);
+        const bool symmetric = weight == filter_weight(filter, {-offset.x, offset.y}) &&
+                               weight == filter_weight(filter, {offset.x, -offset.y}) &&
+                               weight == filter_weight(filter, {offset.y, offset.x});
+        REQUIRE(test::or_say(symmetric, "mirrored, or with x and y exchanged, it weighs something else"));
+        INFO("expected 0 outside of the radius, else the product of what it does along x and along y");
+        REQUIRE(near(weight, outside ? 0 : factor(filter, offset.x) * factor(filter, offset.y),
+                     outside ? 0 : 16 * u));
     }
 }
 
 TEST_CASE("filters but the box have no steps, not at their ends either", "[08.5]") {
     for (const Filter& filter : {tent, gaussian, mitchell}) {
-        INFO("filter " << static_cast<int>(filter.kind));
+        INFO("the " << name_of(filter) << ": the step between places a thousandth of the radius apart");
         const Real h = filter.radius / 1000;
         for (int i = -1100; i <= 1100; ++i) {
             const Real step = filter_weight(filter, {(i + 1) * h, 0.1}) - filter_weight(filter, {i * h, 0.1});
@@ -165,33 +179,40 @@ TEST_CASE("tents and Mitchell's filters of neighbouring pixels share each sample
                 least = std::min(least, filter_weight(mitchell, at + Vec2(x, y)));
             }
         }
-        INFO("sample at " << at.x << " " << at.y << ": tents " << of_tents << ", Mitchell " << of_mitchells);
+        INFO("a sample at "
+             << at
+             << ": the sum of its weights in all pixels around, by tents and by Mitchell's filter, and "
+                "Mitchell's least weight");
         // 16 weights that are not 0, each below 1 and with about four roundings.
-        const bool right = near(of_tents, 1, 64 * u) && near(of_mitchells, 1, 64 * u) && least < 0;
-        if (!right) REQUIRE(right);
+        REQUIRE(near(of_tents, 1, 64 * u));
+        REQUIRE(near(of_mitchells, 1, 64 * u));
+        REQUIRE(least < 0);
     }
 }
 
 // 08.6 ---------------------------------------------------------------------------------------------------
 
 TEST_CASE("a film pixel's colour is the weighted mean, and black before the first sample", "[08.6]") {
-    CHECK(color_of(FilmPixel{}) == Vec3(0));
+    check_color(FilmPixel{}, Vec3(0), "no samples");
     FilmPixel pixel = add(FilmPixel{}, {1, 0, 4}, 1);
-    CHECK(color_of(pixel) == Vec3(1, 0, 4));
+    check_color(pixel, {1, 0, 4}, "(1, 0, 4), weight 1");
     pixel = add(pixel, {0, 2, 0}, 3);
-    CHECK(pixel.weight == 4);
-    CHECK(color_of(pixel) == Vec3(0.25, 1.5, 1));
-    CHECK(color_of(add(FilmPixel{}, {1, 2, 3}, 0)) == Vec3(0));
+    {
+        INFO("the sum of the weights 1 and 3");
+        CHECK(pixel.weight == 4);
+    }
+    check_color(pixel, {0.25, 1.5, 1}, "(1, 0, 4), weight 1, and (0, 2, 0), weight 3");
+    check_color(add(FilmPixel{}, {1, 2, 3}, 0), Vec3(0), "(1, 2, 3), weight 0");
 }
 
 TEST_CASE("what is small beside the sum is not lost, and neither is what is great", "[08.6]") {
     FilmPixel pixel;
     for (const Real term : {1e16, 1., 1., -1e16}) pixel = add(pixel, Vec3(term), 1);
-    CHECK(color_of(pixel) == Vec3(0.5));
+    check_color(pixel, Vec3(0.5), "1e16, 1, 1 and -1e16 in each channel, weight 1 each");
     // Here each term is greater than the sum that it is added to, until the last takes it away.
     pixel = FilmPixel{};
     for (const Real term : {1., 1e16, 1., -1e16}) pixel = add(pixel, Vec3(1, term, -term), 0.5);
-    CHECK(color_of(pixel) == Vec3(1, 0.5, -0.5));
+    check_color(pixel, {1, 0.5, -0.5}, "(1, x, -x) with x = 1, 1e16, 1 and -1e16, weight 0.5 each");
 }
 
 TEST_CASE("a million samples are summed up as well as one", "[08.6]") {
@@ -205,7 +226,8 @@ TEST_CASE("a million samples are summed up as well as one", "[08.6]") {
     // 0.3 · 0.1 is rounded once, and the same each time. Then the sum is rounded a few times in all, not n.
     const Real bound = 4 * u;
     const Vec3 color = color_of(pixel);
-    INFO(n << " samples: off by " << color.x - 0.1 << " " << color.y - 0.7 << " " << color.z - 1);
+    INFO(
+        n << " samples of colour (0.1, 0.7, 1) and weight 0.3: red, green, blue, and the sum of the weights");
     CHECK(near(color.x, 0.1, bound * 0.1));
     CHECK(near(color.y, 0.7, bound * 0.7));
     CHECK(near(color.z, 1, bound));
@@ -225,6 +247,7 @@ TEST_CASE("merged sums are as good as one", "[08.6]") {
         whole = add(whole, Vec3(term, 0, 1), 2);
     }
     // (1e16 + 4.001) + 2 (6.001 − 1e16) = 16.003 − 1e16; then with 1e16 more.
+    INFO("four samples of weight 1 in film a, four of weight 2 in film b: a with b, b with a, all in one");
     for (const FilmPixel& both : {merge(a, b), merge(b, a), whole}) {
         CHECK(both.weight == 12);
         const FilmPixel rest = add(both, Vec3(1e16, 0, 0), 1);
@@ -253,8 +276,9 @@ TEST_CASE("a sample goes to the pixels that it reaches, and only to those", "[08
 
 TEST_CASE("an empty area has no sums, and a film without samples is black", "[08.6]") {
     const FilmSample one{{2.25, 1.5}, {8, 4, 2}, 0.5};
-    CHECK(film_of({&one, 1}, tent, {2, 1, 2, 3}).empty());
-    CHECK(film_of({&one, 1}, tent, {2, 3, 5, 3}).empty());
+    INFO("how many pixels there are of an area without width, of one without height, and of 2 x 2");
+    CHECK(film_of({&one, 1}, tent, {2, 1, 2, 3}).size() == 0);
+    CHECK(film_of({&one, 1}, tent, {2, 3, 5, 3}).size() == 0);
     const std::vector<FilmPixel> film = film_of({}, mitchell, {2, 1, 4, 3});
     REQUIRE(film.size() == 4);
     for (const FilmPixel& pixel : film) CHECK(color_of(pixel) == Vec3(0));
@@ -282,9 +306,10 @@ TEST_CASE("a film is what asking each pixel about each sample makes, to the bit"
                     if (weight != 0) expected = add(expected, sample.color, sample.weight * weight);
                 }
                 if (same(*actual, expected)) continue;
-                INFO(names[kind] << " of radius " << filter.radius << ", pixel " << x << " " << y);
-                CHECK(actual->weight == expected.weight);
-                REQUIRE(same(*actual, expected));
+                INFO("60 samples under the " << name_of(filter) << " of radius " << filter.radius
+                                             << ", pixel (" << x << ", " << y << "): " << *actual
+                                             << "\nexpected " << expected);
+                REQUIRE(test::or_say(same(*actual, expected), "they are not the same to the bit"));
             }
         }
     }
@@ -298,11 +323,11 @@ TEST_CASE("one colour stays that colour under every filter, up to the picture's 
                 film_of(even_samples(7, 6, n, color), all_filters[kind], {0, 0, 7, 6});
             REQUIRE(film.size() == 42);
             for (std::size_t i = 0; i < film.size(); ++i) {
-                INFO(names[kind] << ", " << n << " × " << n << " samples, pixel " << i % 7 << " " << i / 7);
+                INFO("the " << name_of(all_filters[kind]) << ", " << n << " × " << n
+                            << " samples of one colour, pixel (" << i % 7 << ", " << i / 7 << ")");
                 // Negative weights make the sum of |weights| up to 1.6 times that of the weights; each
                 // product is rounded twice.
-                const bool stays = near(color_of(film[i]), color, 8 * u);
-                if (!stays) REQUIRE(stays);
+                REQUIRE(test::near_color(color_of(film[i]), color, 8 * u));
             }
         }
     }
@@ -317,13 +342,17 @@ TEST_CASE("films of two tiles merge to the film of the picture", "[08.6]") {
     for (const Filter& filter : all_filters) {
         const std::vector<FilmPixel> whole = film_of(samples, filter, picture),
                                      a = film_of(left, filter, picture), b = film_of(right, filter, picture);
-        REQUIRE((whole.size() == 42 && a.size() == 42 && b.size() == 42));
+        INFO("under the " << name_of(filter) << ": how many pixels each film has");
+        REQUIRE(whole.size() == 42);
+        REQUIRE(a.size() == 42);
+        REQUIRE(b.size() == 42);
         for (std::size_t i = 0; i < whole.size(); ++i) {
             const FilmPixel both = merge(a[i], b[i]);
             // Each true sum is within a few u² of the exact one, and no sum is above 200.
-            const bool equal = near(both.sum + both.lost, whole[i].sum + whole[i].lost, 800 * u) &&
-                               near(both.weight, whole[i].weight, 800 * u);
-            if (!equal) REQUIRE(equal);
+            INFO("pixel " << i
+                          << " of 42, merged from two films; expected that of one film: sum, and weight");
+            REQUIRE(near(both.sum + both.lost, whole[i].sum + whole[i].lost, 800 * u));
+            REQUIRE(near(both.weight, whole[i].weight, 800 * u));
         }
     }
 }

@@ -69,17 +69,23 @@ Real power(int patterns, Real near, Real far, Pattern pattern) {
 }  // namespace
 
 TEST_CASE("distances are measured across the pixel's edges too", "[08.3]") {
-    CHECK(torus_distance({0.25, 0.5}, {0.5, 0.5}) == 0.25);
-    CHECK(torus_distance({0.125, 0.5}, {0.875, 0.5}) == 0.25);
-    CHECK(torus_distance({0.5, 0}, {0.5, 0.75}) == 0.25);
-    CHECK(torus_distance({0, 0}, {0.5, 0.5}) == std::sqrt(Real(0.5)));
+    const auto check = [](const Vec2& a, const Vec2& b, Real expected) {
+        INFO("the distance of " << a << " and " << b << " where the pixel is repeated on all sides");
+        CHECK(test::near(torus_distance(a, b), expected, 0));
+    };
+    check({0.25, 0.5}, {0.5, 0.5}, 0.25);
+    check({0.125, 0.5}, {0.875, 0.5}, 0.25);
+    check({0.5, 0}, {0.5, 0.75}, 0.25);
+    check({0, 0}, {0.5, 0.5}, std::sqrt(Real(0.5)));
     // The step itself: two samples, whose distance is what is promised.
+    INFO("how many samples there are of 2");
     CHECK(poisson_disk_samples(2, random_for(0, 0, 0)).samples.size() == 2);
 }
 
 TEST_CASE("a single Poisson disk sample lies anywhere, infinitely far from others", "[08.3]") {
     const PoissonDisk a = poisson_disk_samples(1, random_for(1, 0, 0)),
                       b = poisson_disk_samples(1, random_for(2, 0, 0));
+    INFO("two patterns of one sample: how many, its weight, the distance, and that they differ");
     REQUIRE(a.samples.size() == 1);
     REQUIRE(b.samples.size() == 1);
     CHECK(a.samples[0].weight == 1);
@@ -96,10 +102,17 @@ TEST_CASE("no two samples are nearer than the distance that is returned", "[08.3
         for (const PixelSample& sample : disk.samples) {
             const bool inside = sample.at.x >= 0 && sample.at.x < 1 && sample.at.y >= 0 && sample.at.y < 1;
             const bool equal = std::abs(sample.weight * count - 1) <= 2 * u;
-            if (!inside || !equal) REQUIRE((inside && equal));
+            INFO("a sample at " << sample.at << " that weighs " << sample.weight);
+            REQUIRE(test::or_say(inside, "it lies outside of the pixel"));
+            REQUIRE(test::or_say(equal, "it does not weigh as much as the others"));
         }
         // Distances below 1 are known to a few u, whichever way they are computed.
-        REQUIRE(least_distance(disk.samples) >= disk.distance - 4 * u);
+        {
+            INFO(
+                "the least distance of two samples, across the pixel's edges too; the distance that was "
+                "returned");
+            REQUIRE(least_distance(disk.samples) >= disk.distance - 4 * u);
+        }
         // Where discs are dropped at random no more fit at 0.777 of the densest packing's distance: they
         // cover 0.547 of the plane then, against 0.907. So nearly all patterns are full at 0.7 already; of
         // some thousand patterns the worst shrank twice, to 0.63.
@@ -147,7 +160,8 @@ TEST_CASE("the distance shrinks only when 32·count darts in a row were refused"
         for (std::uint64_t which = 0; which < 200; ++which) {
             const Random random = random_for(8, static_cast<std::uint64_t>(count), which);
             INFO(count << " samples of random_for(8, " << count << ", " << which
-                       << "); a dart that sticks begins the count of those refused anew");
+                       << "); a dart that sticks begins the count of those refused anew\nthe distance that "
+                          "is returned");
             const Real expected = distance_of(count, random);
             REQUIRE(test::near(poisson_disk_samples(count, random).distance, expected, 1e-12 * expected));
         }
@@ -156,6 +170,7 @@ TEST_CASE("the distance shrinks only when 32·count darts in a row were refused"
 TEST_CASE("equal random sequences make equal Poisson disk patterns", "[08.3]") {
     const PoissonDisk a = poisson_disk_samples(16, random_for(1, 2, 3)),
                       b = poisson_disk_samples(16, random_for(1, 2, 3));
+    INFO("16 samples of random_for(1, 2, 3), twice");
     REQUIRE(a.samples.size() == b.samples.size());
     for (std::size_t i = 0; i < a.samples.size(); ++i) CHECK(a.samples[i].at == b.samples[i].at);
     CHECK(a.distance == b.distance);
@@ -168,6 +183,9 @@ TEST_CASE("the mean of Poisson disk samples is the coverage", "[08.3]") {
             return poisson_disk_samples(9, random_for(9, i, 0)).samples;
         }));
     };
+    INFO(
+        "by how many of its standard errors the mean is off (Student's t), for a half-plane, a disk, a zone "
+        "plate");
     CHECK(t(test::HalfPlane{{0.8, 0.6}, 0.55}) < test::t_limit);
     CHECK(t(test::Disk{{0.2, 0.9}, 0.6}) < test::t_limit);
     CHECK(t(test::ZonePlate{{-0.3, 0.1}, 12}) < test::t_limit);

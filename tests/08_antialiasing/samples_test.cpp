@@ -20,6 +20,21 @@ bool inside(const Stratum& part, const Vec2& p) {
     return p.x >= part.low.x && p.x < part.high.x && p.y >= part.low.y && p.y < part.high.y;
 }
 
+/// All the strata of a pixel, in order.
+void check_strata(const std::vector<Stratum>& expected, Real bound = 0) {
+    const std::vector<Stratum> parts = strata(static_cast<int>(expected.size()));
+    {
+        INFO("how many strata there are");
+        REQUIRE(parts.size() == expected.size());
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        INFO("of " << parts.size() << " strata number " << i << ", counted from 0, is a " << show(parts[i])
+                   << "; expected a " << show(expected[i]));
+        CHECK(test::near(parts[i].low, expected[i].low, bound));
+        CHECK(test::near(parts[i].high, expected[i].high, bound));
+    }
+}
+
 /// A world that is looked at straight: the ray through the point (x, y) of the picture starts at (x, y, 0).
 World plain_world(int width, int height) {
     World world;
@@ -61,41 +76,25 @@ Random with_greatest(std::uint64_t which) {
 // 08.1 ---------------------------------------------------------------------------------------------------
 
 TEST_CASE("one stratum is the whole pixel, four are its quarters", "[08.1]") {
-    const std::vector<Stratum> one = strata(1);
-    REQUIRE(one.size() == 1);
-    CHECK(one[0].low == Vec2(0));
-    CHECK(one[0].high == Vec2(1));
-
-    const std::vector<Stratum> four = strata(4);
-    REQUIRE(four.size() == 4);
-    const Vec2 low[4] = {{0, 0}, {0.5, 0}, {0, 0.5}, {0.5, 0.5}};
-    for (std::size_t i = 0; i < 4; ++i) {
-        INFO("stratum " << i << " from " << show(four[i].low) << " to " << show(four[i].high));
-        CHECK(four[i].low == low[i]);
-        CHECK(four[i].high == low[i] + Vec2(0.5));
-    }
+    check_strata({{{0, 0}, {1, 1}}});
+    check_strata({{{0, 0}, {0.5, 0.5}}, {{0.5, 0}, {1, 0.5}}, {{0, 0.5}, {0.5, 1}}, {{0.5, 0.5}, {1, 1}}});
 }
 
 TEST_CASE("of five strata two are in the upper row, which is two fifths high", "[08.1]") {
-    const std::vector<Stratum> five = strata(5);
-    REQUIRE(five.size() == 5);
-    const Stratum expected[5] = {{{0, 0}, {0.5, 2. / 5}},
-                                 {{0.5, 0}, {1, 2. / 5}},
-                                 {{0, 2. / 5}, {1. / 3, 1}},
-                                 {{1. / 3, 2. / 5}, {2. / 3, 1}},
-                                 {{2. / 3, 2. / 5}, {1, 1}}};
-    for (std::size_t i = 0; i < 5; ++i) {
-        INFO("stratum " << i << " from " << show(five[i].low) << " to " << show(five[i].high));
-        CHECK(length(five[i].low - expected[i].low) <= 2 * u);
-        CHECK(length(five[i].high - expected[i].high) <= 2 * u);
-    }
+    check_strata({{{0, 0}, {0.5, 2. / 5}},
+                  {{0.5, 0}, {1, 2. / 5}},
+                  {{0, 2. / 5}, {1. / 3, 1}},
+                  {{1. / 3, 2. / 5}, {2. / 3, 1}},
+                  {{2. / 3, 2. / 5}, {1, 1}}},
+                 2 * u);
 }
 
 TEST_CASE("any number of strata have equal areas, and cover the pixel once", "[08.1]") {
     for (int count = 1; count <= 400; ++count) {
         INFO(count << " strata");
         const std::vector<Stratum> parts = strata(count);
-        REQUIRE(parts.size() == static_cast<std::size_t>(count));
+        REQUIRE(
+            test::or_say(parts.size() == static_cast<std::size_t>(count), "there are " + show(parts.size())));
         // Each begins exactly where the one before ends: at its right, or at the left below it. So they leave
         // no gaps and do not overlap, if the first begins top left and the last ends bottom right.
         Vec2 begin(0);
@@ -112,11 +111,12 @@ TEST_CASE("any number of strata have equal areas, and cover the pixel once", "[0
             if (!follows || !equal) {
                 INFO("stratum from " << show(part.low) << " to " << show(part.high)
                                      << ", the one before ends at x = " << begin.x);
-                REQUIRE(follows);
-                REQUIRE(equal);
+                REQUIRE(test::or_say(follows, "it does not begin where the one before ends"));
+                REQUIRE(test::or_say(equal, "its area is not 1/" + show(count)));
             }
             begin = Vec2(part.high.x, part.low.y);
         }
+        INFO("where the last one ends, in the lower right corner");
         REQUIRE(parts.back().high == Vec2(1));
     }
 }
@@ -129,11 +129,13 @@ TEST_CASE("n × n strata are squares with edges at multiples of 1/n", "[08.1]") 
             for (int i = 0; i < n; ++i) {
                 const Stratum& part = parts[static_cast<std::size_t>(j * n + i)];
                 // One more rounding than the last is forgiven.
-                const bool right = length(part.low - Vec2(i, j) / Real(n)) <= 2 * u &&
-                                   length(part.high - Vec2(i + 1, j + 1) / Real(n)) <= 2 * u;
-                if (right) continue;
-                INFO(n << " × " << n << ", column " << i << ", row " << j);
-                REQUIRE(right);
+                const auto low = test::near(part.low, Vec2(i, j) / Real(n), 2 * u);
+                const auto high = test::near(part.high, Vec2(i + 1, j + 1) / Real(n), 2 * u);
+                if (low && high) continue;
+                INFO("of " << n << " × " << n << " strata that in column " << i << ", row " << j
+                           << ": its upper left corner, and its lower right one");
+                REQUIRE(low);
+                REQUIRE(high);
             }
         }
     }
@@ -141,6 +143,7 @@ TEST_CASE("n × n strata are squares with edges at multiples of 1/n", "[08.1]") 
 
 TEST_CASE("one regular sample is in the middle of the pixel", "[08.1]") {
     const std::vector<PixelSample> one = regular_samples(1);
+    INFO("how many regular samples there are of 1, where it is, and what it weighs");
     REQUIRE(one.size() == 1);
     CHECK(one[0].at == Vec2(0.5));
     CHECK(one[0].weight == 1);
@@ -153,8 +156,10 @@ TEST_CASE("regular samples are in the middles of the strata and weigh the same",
         const std::vector<Stratum> parts = strata(count);
         REQUIRE(samples.size() == parts.size());
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            REQUIRE(length(samples[i].at - (parts[i].low + parts[i].high) / 2.) <= 2 * u);
-            REQUIRE(std::abs(samples[i].weight * count - 1) <= 2 * u);
+            INFO("number " << i << " in the " << show(parts[i]) << ": its place, and its weight times "
+                           << count);
+            REQUIRE(test::near(samples[i].at, (parts[i].low + parts[i].high) / 2., 2 * u));
+            REQUIRE(test::near(samples[i].weight * count, 1, 2 * u));
         }
     }
 }
@@ -164,8 +169,13 @@ TEST_CASE("a pixel's colour is the weighted mean over its samples", "[08.1]") {
     const PixelSample two[2] = {{{0.25, 0.5}, 0.75}, {{0.75, 0.25}, 0.25}};
     // 3/4 of (5.25, 2.5) and 1/4 of (5.75, 2.25).
     const Vec3 color = sample_pixel(world, 5, 2, two, color_is_origin, {});
-    INFO("actual " << color.x << " " << color.y);
-    CHECK(color == Vec3(5.375, 2.4375, 0));
+    {
+        INFO(
+            "pixel (5, 2), samples at (0.25, 0.5), weight 0.75, and (0.75, 0.25), weight 0.25, of a picture "
+            "whose colour is its place");
+        CHECK(test::near(color, {5.375, 2.4375, 0}, 0));
+    }
+    INFO("pixel (0, 0) of a white picture, one sample of weight 0.75: colour times weight");
     CHECK(sample_pixel(world, 0, 0, std::span(two).first(1), color_is_one, {}) == Vec3(0.75));
 }
 
@@ -180,26 +190,28 @@ TEST_CASE("each sample has random numbers of its own, whatever the others asked 
     const Stream stream{.seed = 7, .x = 5, .y = 2, .sample = 4};
     const PixelSample three[3] = {{Vec2(0.5), 0.5}, {Vec2(0.25), 0.25}, {Vec2(0.75), 0.25}};
     const Vec3 color = sample_pixel(world, 5, 2, three, color_is_stream, stream);
-    INFO("actual " << color.x << " " << color.y << " " << color.z);
-    CHECK(color == Vec3(7, 52, 10 * (0.5 * 4 + 0.25 * 5 + 0.25 * 6)));
+    INFO(
+        "three samples of weights 0.5, 0.25 and 0.25, whose streams should have the numbers 4, 5 and 6, and "
+        "start at dimension 0\nthe seed; 10 x + y of the pixel; 10 times the weighted number of the sample");
+    CHECK(test::near(color, {7, 52, 10 * (0.5 * 4 + 0.25 * 5 + 0.25 * 6)}, 0));
 }
 
 TEST_CASE("regular samples of a slope make the colour of its middle", "[08.1]") {
     const World world = plain_world(16, 9);
     for (int count = 1; count <= 100; ++count) {
         const Vec3 color = sample_pixel(world, 11, 3, regular_samples(count), color_is_origin, {});
-        INFO(count << " samples: actual " << color.x << " " << color.y << ", expected 11.5 3.5");
+        INFO(count << " regular samples of pixel (11, 3), where the colour is the place: its middle");
         // A sum of `count` terms near 12/count, each rounding of which is at most 12u.
-        CHECK(length(color - Vec3(11.5, 3.5, 0)) <= 24 * u * (count + 4));
+        CHECK(test::near(color, {11.5, 3.5, 0}, 24 * u * (count + 4)));
     }
 }
 
 TEST_CASE("with regular samples the error of smooth colours falls as 1/n", "[08.1]") {
     const Real slope =
         test::error_slope(cases(500), test::any_smooth, [](int n, Random) { return regular_samples(n); });
-    INFO("fitted exponent " << slope << ", the midpoint rule's is −1");
+    INFO("the exponent with which the error falls, the midpoint rule's is −1");
     // All errors have nearly the same ratios, whatever the place: chance plays no part worth mentioning.
-    CHECK(std::abs(slope + 1) < 0.05);
+    CHECK(test::near(slope, -1, 0.05));
 }
 
 // 08.2 ---------------------------------------------------------------------------------------------------
@@ -216,8 +228,8 @@ TEST_CASE("each stratum has one jittered sample, and all weigh the same", "[08.2
             if (there && equal) continue;
             INFO("sample " << i << " at " << show(samples[i].at) << " weighs " << samples[i].weight
                            << ", stratum from " << show(parts[i].low) << " to " << show(parts[i].high));
-            REQUIRE(there);
-            REQUIRE(equal);
+            REQUIRE(test::or_say(there, "it lies outside of its stratum"));
+            REQUIRE(test::or_say(equal, "it does not weigh 1/" + show(count)));
         }
     }
 }
@@ -251,7 +263,8 @@ TEST_CASE("even the greatest random number leaves a sample in its stratum", "[08
             const std::size_t i = (which - 1) / 2;
             INFO(count << " samples, number " << i << ": its " << (which % 2 == 1 ? "x" : "y")
                        << " comes from 1 − 2^-53");
-            CHECK(inside(parts[i], samples[i].at));
+            INFO("it is at " << samples[i].at << ", its " << show(parts[i]));
+            CHECK(test::or_say(inside(parts[i], samples[i].at), "it lies outside of its stratum"));
         }
     }
 }
@@ -260,8 +273,12 @@ TEST_CASE("equal random sequences make equal patterns, others make others", "[08
     const std::vector<PixelSample> a = jittered_samples(16, random_for(1, 2, 3)),
                                    b = jittered_samples(16, random_for(1, 2, 3)),
                                    c = jittered_samples(16, random_for(1, 2, 4));
-    REQUIRE((a.size() == 16 && b.size() == 16 && c.size() == 16));
+    INFO("16 jittered samples from random_for(1, 2, 3), again, and from random_for(1, 2, 4)");
+    REQUIRE(a.size() == 16);
+    REQUIRE(b.size() == 16);
+    REQUIRE(c.size() == 16);
     for (std::size_t i = 0; i < 16; ++i) {
+        INFO("sample " << i << ", twice from the same numbers, then from others");
         CHECK(a[i].at == b[i].at);
         CHECK(a[i].at != c[i].at);
     }
@@ -286,9 +303,17 @@ TEST_CASE("jittered samples are uniform in their strata, and independent of thei
             before = place;
         }
     }
+    // How uneven the counts are, by Pearson's χ²: about 63 where each is as likely as the others.
     const Real limit = test::chi_square_limit(64);
-    CAPTURE(test::chi_square(places), test::chi_square(neighbours), limit);
-    CHECK(test::chi_square(places) < limit);
+    {
+        INFO(
+            "where in their strata samples lie, counted in 8 x 8 parts: how uneven these 64 counts are (χ², "
+            "about 63 where all parts are alike)");
+        CHECK(test::chi_square(places) < limit);
+    }
+    INFO(
+        "the place of a sample against that of the sample before, counted in 8 x 8 parts: how uneven these "
+        "64 counts are (χ², about 63 where samples do not depend on each other)");
     CHECK(test::chi_square(neighbours) < limit);
 }
 
@@ -301,8 +326,8 @@ TEST_CASE("the mean of random and of jittered samples is the coverage", "[08.2]"
                 shape, patterns, [n](std::uint64_t i) { return random_samples(n, random_for(5, i, 0)); });
             const Real jittered = test::t_of(
                 shape, patterns, [n](std::uint64_t i) { return jittered_samples(n, random_for(6, i, 0)); });
-            INFO(n << " samples: Student's t of random samples " << independent << ", of jittered ones "
-                   << jittered);
+            INFO(n << " samples, random and jittered: by how many of its standard errors their mean is off "
+                      "(Student's t)");
             CHECK(std::abs(independent) < test::t_limit);
             CHECK(std::abs(jittered) < test::t_limit);
         }
@@ -327,18 +352,18 @@ TEST_CASE("the error falls as n^-½ for random samples, and faster for jittered 
     // over a factor 256 in n to a quarter of that: 0.01 for 800 trials, and 0.003 for 8000.
     SECTION("random samples on an edge") {
         const Real slope = test::error_slope(trials / 2, test::any_edge, random_samples);
-        INFO("fitted exponent " << slope << ", expected −0.5");
-        CHECK(std::abs(slope + 0.5) < 0.05);
+        INFO("the exponent with which the error falls, expected −0.5");
+        CHECK(test::near(slope, -0.5, 0.05));
     }
     SECTION("jittered samples on an edge: only strata that it passes through are wrong") {
         const Real slope = test::error_slope(trials / 2, test::any_edge, jittered_samples);
-        INFO("fitted exponent " << slope << ", expected −0.75");
-        CHECK(std::abs(slope + 0.75) < 0.05);
+        INFO("the exponent with which the error falls, expected −0.75");
+        CHECK(test::near(slope, -0.75, 0.05));
     }
     SECTION("jittered samples of smooth colours: each stratum is nearly flat") {
         const Real slope = test::error_slope(trials / 8, test::any_smooth, jittered_samples);
-        INFO("fitted exponent " << slope << ", expected −1");
-        CHECK(std::abs(slope + 1) < 0.05);
+        INFO("the exponent with which the error falls, expected −1");
+        CHECK(test::near(slope, -1, 0.05));
     }
 }
 
@@ -346,13 +371,18 @@ TEST_CASE("the error falls as n^-½ for random samples, and faster for jittered 
 
 TEST_CASE("four trapezoid samples are the corners of the pixel", "[08.4]") {
     for (const int count : {1, 2, 3, 4, 5, 8}) {
-        INFO("asked for " << count);
+        INFO("asked for " << count << " samples");
         const std::vector<PixelSample> samples = trapezoid_samples(count);
-        REQUIRE(samples.size() == 4);
+        {
+            INFO("how many samples there are");
+            REQUIRE(samples.size() == 4);
+        }
         const Vec2 corner[4] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
         for (std::size_t i = 0; i < 4; ++i) {
-            CHECK(samples[i].at == corner[i]);
-            CHECK(samples[i].weight == 0.25);
+            INFO("number " << i << ", counted from 0: " << show(samples[i]));
+            CHECK(test::near(samples[i].at, corner[i], 0));
+            INFO("what it weighs");
+            CHECK(test::near(samples[i].weight, 0.25, 0));
         }
     }
 }
@@ -362,7 +392,7 @@ TEST_CASE("of nine trapezoid samples corners count 1/16, edges 2/16, the middle 
     REQUIRE(samples.size() == 9);
     const Real sixteenths[9] = {1, 2, 1, 2, 4, 2, 1, 2, 1};
     for (std::size_t i = 0; i < 9; ++i) {
-        INFO("sample " << i << " at " << show(samples[i].at));
+        INFO("number " << i << ", counted from 0: " << show(samples[i]));
         CHECK(samples[i].at == Vec2(Real(i % 3) / 2, Real(i / 3) / 2));
         CHECK(samples[i].weight == sixteenths[i] / 16);
     }
@@ -370,11 +400,12 @@ TEST_CASE("of nine trapezoid samples corners count 1/16, edges 2/16, the middle 
 
 TEST_CASE("trapezoid weights sum to 1, and make the mean of a slope and of a saddle exactly", "[08.4]") {
     for (int count = 1; count <= 300; ++count) {
-        INFO("asked for " << count);
+        INFO("asked for " << count << " samples");
         const std::vector<PixelSample> samples = trapezoid_samples(count);
         int m = 1;
         while ((m + 2) * (m + 2) <= count) ++m;
         REQUIRE(samples.size() == static_cast<std::size_t>((m + 1) * (m + 1)));
+        INFO("the first sample, and the last");
         CHECK(samples.front().at == Vec2(0));
         CHECK(test::near(samples.back().at, Vec2(1), 2 * u));
         Real slope = 0, saddle = 0;
@@ -384,15 +415,16 @@ TEST_CASE("trapezoid weights sum to 1, and make the mean of a slope and of a sad
         }
         // Each of the terms has a few roundings, and so has each sum on the way.
         const Real bound = u * (static_cast<Real>(samples.size()) + 8);
-        CHECK(std::abs(weights(samples) - 1) <= bound);
-        CHECK(std::abs(slope - 0.5) <= bound);
-        CHECK(std::abs(saddle - 0.25) <= bound);
+        INFO("the sum of the weights; the weighted mean of x, and of x y");
+        CHECK(test::near(weights(samples), 1, bound));
+        CHECK(test::near(slope, 0.5, bound));
+        CHECK(test::near(saddle, 0.25, bound));
     }
 }
 
 TEST_CASE("centered samples are regular ones and one more in the middle, of equal weight", "[08.4]") {
     for (int count = 1; count <= 300; ++count) {
-        INFO("asked for " << count);
+        INFO("asked for " << count << " samples");
         const std::vector<PixelSample> samples = centered_samples(count);
         int n = 1;
         while ((n + 1) * (n + 1) + 1 <= count) ++n;
@@ -400,13 +432,20 @@ TEST_CASE("centered samples are regular ones and one more in the middle, of equa
         REQUIRE(samples.size() == squares + 1);
         for (std::size_t i = 0; i < squares; ++i) {
             const Vec2 cell(Real(i % static_cast<std::size_t>(n)), Real(i / static_cast<std::size_t>(n)));
-            const bool regular = length(samples[i].at - (cell + Vec2(0.5)) / Real(n)) <= 4 * u;
-            if (!regular) REQUIRE(regular);
+            const auto regular = test::near(samples[i].at, (cell + Vec2(0.5)) / Real(n), 4 * u);
+            if (regular) continue;
+            INFO("where sample " << i << " is, counted from 0");
+            REQUIRE(regular);
         }
-        CHECK(samples.back().at == Vec2(0.5));
+        {
+            INFO("where the last one is, in the middle");
+            CHECK(samples.back().at == Vec2(0.5));
+        }
         for (const auto& sample : samples) {
-            const bool equal = std::abs(sample.weight * static_cast<Real>(squares + 1) - 1) <= 2 * u;
-            if (!equal) REQUIRE(equal);
+            const auto equal = test::near(sample.weight * static_cast<Real>(squares + 1), 1, 2 * u);
+            if (equal) continue;
+            INFO("the weight of the " << show(sample) << ", times " << squares + 1 << ": all weigh the same");
+            REQUIRE(equal);
         }
     }
 }

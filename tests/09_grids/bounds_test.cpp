@@ -27,6 +27,44 @@ Bounds grown_by_rounding(const Bounds& box) {
     return grown(box, gamma(8) * max_component(size));
 }
 
+template <class Shape>
+void check_bounds(const std::string& words, const Shape& shape, const Bounds& expected) {
+    INFO("the box around a " << words);
+    const Bounds box = bounds_of(shape);
+    CHECK(test::or_say(box == expected, show(box) + ", expected " + show(expected)));
+}
+
+/// Whether the point is in the box; `which` names it.
+test::Told in_box(const Bounds& box, const Vec3& p, const char* which) {
+    return test::or_say(contains_point(box, p),
+                        std::string(which) + " " + show(p) + " is outside of the " + show(box));
+}
+
+/// The part of a ray that is in a box.
+void check_part(const Bounds& box, const Ray& ray, const std::optional<Interval>& expected,
+                Interval range = {}) {
+    INFO("the part of the " << ray << " in " << range << " that is in the " << box << "; expected "
+                            << expected);
+    const std::optional<Interval> actual = clip(box, ray, range);
+    if (!expected) {
+        CHECK_FALSE(actual);
+        return;
+    }
+    REQUIRE(actual);
+    {
+        INFO("where it begins");
+        CHECK(test::near(actual->min, expected->min, gamma(4) * std::abs(expected->min)));
+    }
+    INFO("where it ends");
+    CHECK(test::near(actual->max, expected->max, gamma(4) * std::abs(expected->max)));
+}
+
+/// Some part of the ray is in the box, however short.
+void check_met(const Bounds& box, const Ray& ray) {
+    INFO("the part of the " << ray << " that is in the " << box);
+    CHECK(clip(box, ray, {}));
+}
+
 Ellipsoid ellipsoid_under(const Mat4& m) {
     const std::optional<Mat4> back = inverse(m);
     REQUIRE(back);
@@ -42,14 +80,15 @@ Mat4 some_map(Random& random) {
 }  // namespace
 
 TEST_CASE("the box of a sphere touches it at the ends of the axes", "[09.1]") {
-    CHECK(bounds_of(Sphere{{1, 2, 3}, 2}) == Bounds{{-1, 0, 1}, {3, 4, 5}});
-    CHECK(bounds_of(Sphere{{0, 0, 0}, 0.5}) == Bounds{Vec3(-0.5), Vec3(0.5)});
+    check_bounds(show(Sphere{{1, 2, 3}, 2}), Sphere{{1, 2, 3}, 2}, {{-1, 0, 1}, {3, 4, 5}});
+    check_bounds(show(Sphere{{0, 0, 0}, 0.5}), Sphere{{0, 0, 0}, 0.5}, {Vec3(-0.5), Vec3(0.5)});
 }
 
 TEST_CASE("the box of a triangle ends at its corners", "[09.1]") {
-    CHECK(bounds_of(Triangle{{1, 5, -2}, {0, 7, 3}, {4, 6, 0}}) == Bounds{{0, 5, -2}, {4, 7, 3}});
-    INFO("a triangle in a plane of constant y has a box without thickness");
-    CHECK(bounds_of(Triangle{{0, 1, 0}, {1, 1, 0}, {0, 1, 1}}) == Bounds{{0, 1, 0}, {1, 1, 1}});
+    check_bounds(show(Triangle{{1, 5, -2}, {0, 7, 3}, {4, 6, 0}}), Triangle{{1, 5, -2}, {0, 7, 3}, {4, 6, 0}},
+                 {{0, 5, -2}, {4, 7, 3}});
+    check_bounds(show(Triangle{{0, 1, 0}, {1, 1, 0}, {0, 1, 1}}), Triangle{{0, 1, 0}, {1, 1, 0}, {0, 1, 1}},
+                 {{0, 1, 0}, {1, 1, 1}});
 }
 
 TEST_CASE("the box of an ellipsoid reaches along each axis as far as the matrix's row is long", "[09.1]") {
@@ -59,7 +98,8 @@ TEST_CASE("the box of an ellipsoid reaches along each axis as far as the matrix'
     m[1] = Vec4(4, 5, 0, 0);
     m[2] = Vec4(12, 0, 2, 0);
     m[3] = Vec4(100, 200, 300, 1);
-    CHECK(bounds_of(ellipsoid_under(m)) == Bounds{{87, 195, 298}, {113, 205, 302}});
+    check_bounds("unit sphere under the matrix" + show(m), ellipsoid_under(m),
+                 {{87, 195, 298}, {113, 205, 302}});
 }
 
 TEST_CASE("every point of a shape is in its box, and each face of the box is touched", "[09.1]") {
@@ -74,18 +114,20 @@ TEST_CASE("every point of a shape is in its box, and each face of the box is tou
         const Real b = random.uniform(0, 1), c = random.uniform(0, 1 - b);
         const Vec3 on_triangle = (1 - b - c) * t.a + b * t.b + c * t.c;
         INFO("case " << k);
-        CHECK(contains_point(grown_by_rounding(bounds_of(sphere)), sphere.center + sphere.radius * n));
-        CHECK(contains_point(grown_by_rounding(bounds_of(t)), on_triangle));
+        CHECK(in_box(grown_by_rounding(bounds_of(sphere)), sphere.center + sphere.radius * n,
+                     "the sphere's point"));
+        CHECK(in_box(grown_by_rounding(bounds_of(t)), on_triangle, "the triangle's point"));
         const Bounds box = bounds_of(ellipsoid);
-        CHECK(contains_point(grown_by_rounding(box), transform_point(m, n)));
+        CHECK(in_box(grown_by_rounding(box), transform_point(m, n), "the ellipsoid's point"));
         for (int a = 0; a < 3; ++a) {
             // The unit vector along row a goes to the farthest point along axis a.
             const Vec3 row(m[0][a], m[1][a], m[2][a]);
             const Real farthest = transform_point(m, normalize(row))[a];
-            CAPTURE(a, farthest, box);
-            CHECK(std::abs(box.high[a] - farthest) <= gamma(20) * (length(row) + std::abs(m[3][a])));
-            CHECK(std::abs(box.high[a] + box.low[a] - 2 * m[3][a]) <=
-                  gamma(8) * (length(row) + std::abs(m[3][a])));
+            INFO("the " << box << " of an ellipsoid: how far it reaches along axis " << a
+                        << ", then twice its middle there, which is the ellipsoid's");
+            CHECK(test::near(box.high[a], farthest, gamma(20) * (length(row) + std::abs(m[3][a]))));
+            CHECK(test::near(box.high[a] + box.low[a], 2 * m[3][a],
+                             gamma(8) * (length(row) + std::abs(m[3][a]))));
         }
     }
 }
@@ -101,8 +143,8 @@ TEST_CASE("a polygon's box holds the places where rays hit it, flat or not", "[g
         const std::optional<Hit> hit = intersect(polygon, ray, {});
         if (!hit) continue;
         ++hits;
-        INFO("last corner at z = " << polygon.vertices[3].z << ", hit at " << show(point_at(ray, hit->t)));
-        CHECK(contains_point(grown(bounds_of(polygon), 1e-12), point_at(ray, hit->t)));
+        INFO("a square whose last corner is at z = " << polygon.vertices[3].z);
+        CHECK(in_box(grown(bounds_of(polygon), 1e-12), point_at(ray, hit->t), "the hit at"));
     }
     CHECK(hits > demanded(cases(5000) / 20, cases(5000) / 50));
 }
@@ -115,71 +157,53 @@ TEST_CASE("an instance's box holds its triangles", "[09.1]") {
         const Ellipsoid map = ellipsoid_under(some_map(random));
         const Bounds box = bounds_of(Instance{map.transform, {std::make_shared<const SharedMesh>(mesh)}});
         const Vec3 corner = mesh.bound.center + mesh.bound.radius * random.direction();
-        CHECK(contains_point(grown_by_rounding(box), transform_point(map.transform.to_world, corner)));
+        CHECK(in_box(grown_by_rounding(box), transform_point(map.transform.to_world, corner),
+                     "a point of the mesh"));
     }
 }
 
 TEST_CASE("the part of a ray in a box, by hand", "[09.2]") {
-    const auto check = [](const Ray& ray, Interval range, std::optional<Interval> expected) {
-        const std::optional<Interval> actual = clip(unit_box, ray, range);
-        INFO("ray " << show(ray) << " in " << range << " and the unit box");
-        REQUIRE(actual.has_value() == expected.has_value());
-        if (!expected) return;
-        INFO("expected " << *expected << ", actual " << *actual);
-        CHECK(std::abs(actual->min - expected->min) <= gamma(4) * std::abs(expected->min));
-        CHECK(std::abs(actual->max - expected->max) <= gamma(4) * std::abs(expected->max));
-    };
-    check({{-1, 0.5, 0.5}, {1, 0, 0}}, {}, Interval{1, 2});
-    check({{2, 0.5, 0.5}, {-1, 0, 0}}, {}, Interval{1, 2});
-    check({{-1, 0.5, 0.5}, {0.5, 0, 0}}, {}, Interval{2, 4});
-    check({{0.5, 0.5, 0.5}, {0, 1, 0}}, {}, Interval{0, 0.5});
-    check({{-1, -1, -1}, {1, 1, 1}}, {}, Interval{1, 2});
-    check({{-1, 0.5, 0.5}, {1, 0, 0}}, {1.25, 1.5}, Interval{1.25, 1.5});
-    check({{-1, 0.5, 0.5}, {1, 0, 0}}, {-infinity, infinity}, Interval{1, 2});
-    INFO("beside, behind, and before the box");
-    check({{-1, 1.5, 0.5}, {1, 0, 0}}, {}, std::nullopt);
-    check({{2, 0.5, 0.5}, {1, 0, 0}}, {}, std::nullopt);
-    check({{-1, 0.5, 0.5}, {1, 0, 0}}, {0, 0.5}, std::nullopt);
-    check({{-1, 0.5, 0.5}, {1, 1, 0}}, {}, std::nullopt);
+    check_part(unit_box, {{-1, 0.5, 0.5}, {1, 0, 0}}, Interval{1, 2});
+    check_part(unit_box, {{2, 0.5, 0.5}, {-1, 0, 0}}, Interval{1, 2});
+    check_part(unit_box, {{-1, 0.5, 0.5}, {0.5, 0, 0}}, Interval{2, 4});
+    check_part(unit_box, {{0.5, 0.5, 0.5}, {0, 1, 0}}, Interval{0, 0.5});
+    check_part(unit_box, {{-1, -1, -1}, {1, 1, 1}}, Interval{1, 2});
+    check_part(unit_box, {{-1, 0.5, 0.5}, {1, 0, 0}}, Interval{1.25, 1.5}, {1.25, 1.5});
+    check_part(unit_box, {{-1, 0.5, 0.5}, {1, 0, 0}}, Interval{1, 2}, {-infinity, infinity});
+    // Beside, behind, and before the box.
+    check_part(unit_box, {{-1, 1.5, 0.5}, {1, 0, 0}}, std::nullopt);
+    check_part(unit_box, {{2, 0.5, 0.5}, {1, 0, 0}}, std::nullopt);
+    check_part(unit_box, {{-1, 0.5, 0.5}, {1, 0, 0}}, std::nullopt, {0, 0.5});
+    check_part(unit_box, {{-1, 0.5, 0.5}, {1, 1, 0}}, std::nullopt);
 }
 
 TEST_CASE("a ray in a face, along an edge, or through a corner is in the box there", "[09.2]") {
     for (const Real zero : {0.0, -0.0}) {
         for (const Real y : {0.0, 1.0}) {
-            CAPTURE(zero, y);
-            const std::optional<Interval> face = clip(unit_box, {{-1, y, 0.5}, {1, zero, zero}}, {});
-            REQUIRE(face);
-            CHECK(face->min == Approx(1));
-            CHECK(face->max == Approx(2));
-            const std::optional<Interval> edge = clip(unit_box, {{2, y, 1}, {-1, zero, zero}}, {});
-            REQUIRE(edge);
-            CHECK(edge->max == Approx(2));
+            check_part(unit_box, {{-1, y, 0.5}, {1, zero, zero}}, Interval{1, 2});  // in a face
+            check_part(unit_box, {{2, y, 1}, {-1, zero, zero}}, Interval{1, 2});    // along an edge
         }
-        CHECK(clip(unit_box, {{0.5, 0.5, 0.5}, {zero, zero, -1}}, {}));
+        check_met(unit_box, {{0.5, 0.5, 0.5}, {zero, zero, -1}});
     }
-    INFO("through the corner (1, 1, 0) and through nothing else");
-    const std::optional<Interval> corner = clip(unit_box, {{0, 2, 0}, {1, -1, 0}}, {});
-    REQUIRE(corner);
-    CHECK(corner->min == Approx(1));
-    CHECK(corner->max == Approx(1));
+    // Through the corner (1, 1, 0) and through nothing else.
+    check_part(unit_box, {{0, 2, 0}, {1, -1, 0}}, Interval{1, 1});
 }
 
 TEST_CASE("a box without thickness is met, an empty box is not", "[09.2]") {
     const Bounds sheet{{0, 0, 0}, {1, 0, 1}};
-    CHECK(clip(sheet, {{0.5, 1, 0.5}, {0, -1, 0}}, {}));
-    CHECK(clip(sheet, {{0.5, 1, 0.5}, {0.1, -1, 0.2}}, {}));
-    CHECK(clip(sheet, {{-1, 0, 0.5}, {1, 0, 0}}, {}));
-    CHECK(clip(sheet, {{-1, 0, 0.5}, {1, -0.0, 0}}, {}));
-    CHECK_FALSE(clip(sheet, {{-1, 0.1, 0.5}, {1, 0, 0}}, {}));
+    check_met(sheet, {{0.5, 1, 0.5}, {0, -1, 0}});
+    check_met(sheet, {{0.5, 1, 0.5}, {0.1, -1, 0.2}});
+    check_met(sheet, {{-1, 0, 0.5}, {1, 0, 0}});
+    check_met(sheet, {{-1, 0, 0.5}, {1, -0.0, 0}});
+    check_part(sheet, {{-1, 0.1, 0.5}, {1, 0, 0}}, std::nullopt);
 
     const Bounds point{Vec3(0.1), Vec3(0.1)};
-    CHECK(clip(point, {Vec3(0), Vec3(1)}, {}));
-    CHECK(clip(point, {Vec3(0.1), {0, 0, 1}}, {}));
+    check_met(point, {Vec3(0), Vec3(1)});
+    check_met(point, {Vec3(0.1), {0, 0, 1}});
 
     for (const Vec3& d : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(1, 2, 3), Vec3(-0.0, 0, 1)}) {
-        CAPTURE(show(d));
-        CHECK_FALSE(clip(Bounds{}, {Vec3(0), d}, {}));
-        CHECK_FALSE(clip(Bounds{{0, 1, 0}, {1, 0, 1}}, {Vec3(0.5) - d, d}, {-infinity, infinity}));
+        check_part(Bounds{}, {Vec3(0), d}, std::nullopt);
+        check_part({{0, 1, 0}, {1, 0, 1}}, {Vec3(0.5) - d, d}, std::nullopt, {-infinity, infinity});
     }
 }
 
@@ -193,9 +217,9 @@ TEST_CASE("a box and a ray twice as large have the same parts, to the bit", "[09
         const std::optional<Interval> one = clip(box, ray, {});
         const std::optional<Interval> other =
             clip({scale * box.low, scale * box.high}, {scale * ray.origin, scale * ray.direction}, {});
-        REQUIRE(one.has_value() == other.has_value());
-        if (!one) continue;
-        CHECK(one->min == other->min);
-        CHECK(one->max == other->max);
+        INFO("the part of the " << ray << " in the " << box << ", and with all lengths times " << scale);
+        const bool same = one.has_value() == other.has_value() &&
+                          (!one || (one->min == other->min && one->max == other->max));
+        CHECK(test::or_say(same, show(other) + ", expected " + show(one)));
     }
 }

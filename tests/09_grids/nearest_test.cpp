@@ -87,9 +87,8 @@ TEST_CASE("a shape may be hit far ahead of the cell in which it is asked", "[09.
     const std::optional<Hit> alone = closest_hit(triangles, ray, {});
     REQUIRE(alone);
     const std::optional<Hit> hit = nearest(grid_of(triangles, {.density = 500}), triangles, ray);
-    INFO("asked without a grid: " << alone << "; with the grid: " << hit);
-    REQUIRE(hit);
-    CHECK(hit->t == alone->t);
+    INFO("a long slanted triangle, " << ray << "; expected what asking it without a grid says");
+    CHECK(test::same_hit(hit, alone));
 }
 
 TEST_CASE("the nearest of a row of spheres", "[09.7]") {
@@ -98,7 +97,8 @@ TEST_CASE("the nearest of a row of spheres", "[09.7]") {
     REQUIRE(grid.shape.cells.x > 10);
     const auto check = [&](const Ray& ray, Interval range, std::uint32_t primitive, Real t) {
         const std::optional<Hit> hit = nearest(grid, spheres, ray, range);
-        INFO("ray " << show(ray) << " in " << range);
+        INFO("spheres of radius 0.4 at 0, 1, ... 9 on the x axis; " << ray << " in " << range
+                                                                    << ": which is hit, and at which t");
         REQUIRE(hit);
         CHECK(hit->primitive == primitive);
         CHECK(hit->t == Approx(t));
@@ -108,6 +108,7 @@ TEST_CASE("the nearest of a row of spheres", "[09.7]") {
     check({{4.5, 0, 0}, {1, 0, 0}}, {}, 5, 0.1);
     check({{4, 0, 0}, {0, 2, 0}}, {}, 4, 0.2);
     check({{-5, 0, 0}, {1, 0, 0}}, {7.5, infinity}, 3, 7.6);
+    INFO("the row of spheres: before it, away from it, and between two");
     CHECK_FALSE(nearest(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {0, 4.5}));
     CHECK_FALSE(nearest(grid, spheres, {{-5, 0, 0}, {-1, 0, 0}}));
     CHECK_FALSE(nearest(grid, spheres, {{0.5, -5, 0}, {0, 1, 0}}));
@@ -121,9 +122,15 @@ TEST_CASE("a hit in a later cell does not hide a nearer one of another shape", "
     const Grid grid = grid_of(triangles, {.density = 50});
     const Ray ray{{-1, 0.9, 0.5}, {1, 0, 0}};
     const std::optional<Hit> hit = nearest(grid, triangles, ray);
-    REQUIRE(hit);
-    CHECK(hit->primitive == 1);
-    CHECK(hit->t == Approx(6));
+    {
+        INFO(
+            "triangle 0 is long, and hit at t = 9.33; triangle 1 stands across in front of it, at t = 6; "
+            "found: "
+            << hit);
+        REQUIRE(hit);
+        CHECK(hit->primitive == 1);
+        CHECK(hit->t == Approx(6));
+    }
     INFO("a search that stops in the first cell with a hit has to be wrong here");
     const std::optional<Hit> naive = naive::closest_hit(grid, triangles, ray, {});
     REQUIRE(naive);
@@ -134,8 +141,11 @@ TEST_CASE("of equal distances the lowest index wins, in whichever cell it is met
     const Triangle t{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}};
     const std::vector<Triangle> same(20, t);
     const std::optional<Hit> first = nearest(grid_of(same), same, {{0, 0.2, 0.2}, {1, 0, 0}});
-    REQUIRE(first);
-    CHECK(first->primitive == 0);
+    {
+        INFO("20 times the same triangle: which of them is hit");
+        REQUIRE(first);
+        CHECK(first->primitive == 0);
+    }
 
     // All pass through the same line, x = y = 5; the last reaches farthest towards the ray and is asked
     // first.
@@ -143,14 +153,11 @@ TEST_CASE("of equal distances the lowest index wins, in whichever cell it is met
     for (int k = 0; k < 6; ++k) fan.push_back({{5, 5, -1}, {5, 5, 9}, {4.0 - k * 0.75, 5.25 + k, 4}});
     const Grid grid = grid_of(fan, {.density = 40});
     const std::optional<Hit> hit = nearest(grid, fan, {{-5, -5, 4}, {1, 1, 0}});
-    REQUIRE(hit);
-    CHECK(hit->t == 10);
-    CHECK(hit->primitive == 0);
+    INFO("six triangles through one line, all hit at t = 10; then the same in the other order: which is hit");
+    CHECK(test::same_hit(hit, Hit{.t = 10, .primitive = 0}));
     std::ranges::reverse(fan);
     const std::optional<Hit> other = nearest(grid_of(fan, {.density = 40}), fan, {{-5, -5, 4}, {1, 1, 0}});
-    REQUIRE(other);
-    CHECK(other->t == 10);
-    CHECK(other->primitive == 0);
+    CHECK(test::same_hit(other, Hit{.t = 10, .primitive = 0}));
 }
 
 TEST_CASE("no shape is asked twice, and none behind the hit", "[09.7]") {
@@ -164,7 +171,8 @@ TEST_CASE("no shape is asked twice, and none behind the hit", "[09.7]") {
         const Ray ray{3.0 * random.direction(), random.in_cube() - 2.0 * random.direction()};
         std::optional<Hit> hit;
         const SearchCounts counts = counted([&] { hit = closest_hit(grid, triangles, ray, {}, mailbox); });
-        CAPTURE(k, counts.cells, counts.shapes);
+        INFO("ray " << k
+                    << ": how many of 200 triangles were asked, expected how many the mailbox has marked");
         CHECK(counts.shapes == marked(mailbox));
         CHECK(counts.shapes <= triangles.size());
         if (hit) CHECK(counts.shapes >= 1);
@@ -177,13 +185,13 @@ TEST_CASE("no shape is asked twice, and none behind the hit", "[09.7]") {
     const SearchCounts first = counted([&] {
         closest_hit(row, spheres, {{-5, 0, 0}, {1, 0, 0}}, {}, of_row);
     });
-    INFO("the ray hits the first of 100 spheres, and asked " << first.shapes);
+    INFO("the ray hits the first of a row of 100 spheres: how many it asks, and how many cells it visits");
     CHECK(first.shapes <= 2);
     CHECK(first.cells <= 4);
     const SearchCounts none = counted([&] {
         closest_hit(row, spheres, {{-5, 0.399, 0.399}, {1, 0, 0}}, {}, of_row);
     });
-    INFO("the ray passes all of them, and asked " << none.shapes);
+    INFO("another passes all of them: how many it asks, expected those that the mailbox has marked");
     CHECK(none.shapes == marked(of_row));
     CHECK(none.shapes <= 100);
 }
@@ -209,15 +217,13 @@ TEST_CASE("an instance in many cells takes the ray through its mesh once", "[09.
     Mailbox mailbox;
     std::optional<Hit> hit;
     const SearchCounts counts = counted([&] { hit = closest_hit(grid, instances, ray, {}, mailbox); });
-    CAPTURE(cells_of_grid, cells_of_mesh);
+    INFO("8 instances, each in many cells: how many cells are visited, those of the grid, "
+         << cells_of_grid << ", and for each instance once those of its mesh, " << cells_of_mesh);
     CHECK(counts.cells <= cells_of_grid + 8 * cells_of_mesh);
     const std::optional<Hit> expected = intersect(Instance{{}, plain}, ray, {});
-    REQUIRE(hit.has_value() == expected.has_value());
-    if (hit) {
-        CHECK(hit->t == expected->t);
-        CHECK(hit->element == expected->element);
-        CHECK(hit->primitive == 0);
-    }
+    INFO("the hit, expected that of one instance without grids");
+    CHECK(test::same_hit(hit, expected));
+    if (hit && expected) CHECK(hit->element == expected->element);
 }
 
 TEST_CASE("rays from beyond the reach, or with numbers out of range, ask all the shapes", "[09.7]") {
@@ -232,10 +238,9 @@ TEST_CASE("rays from beyond the reach, or with numbers out of range, ask all the
         std::optional<Hit> hit;
         const SearchCounts counts = counted([&] { hit = closest_hit(grid, spheres, ray, {}, mailbox); });
         const std::optional<Hit> expected = closest_hit(spheres, ray, {});
-        INFO("ray " << show(ray));
+        INFO("beyond the reach: " << ray << "; how many cells are visited, and the hit, as by asking all");
         CHECK(counts.cells == 0);
-        REQUIRE(hit.has_value() == expected.has_value());
-        if (hit) CHECK((hit->t == expected->t && hit->primitive == expected->primitive));
+        CHECK(test::same_hit(hit, expected));
     }
 }
 
@@ -246,6 +251,7 @@ TEST_CASE("the numbers of rays begin anew after 2^32, and nothing old is mistake
     Mailbox mailbox{.ray = 0xffffffffu, .asked_by = std::vector<std::uint32_t>(10, 1)};
     for (int k = 0; k < 3; ++k) {
         const std::optional<Hit> hit = closest_hit(grid, spheres, ray, {}, mailbox);
+        INFO("ray number " << k << " after 2^32 - 1 others: which of a row of spheres is hit");
         REQUIRE(hit);
         CHECK(hit->primitive == 0);
     }
@@ -257,21 +263,29 @@ TEST_CASE("behind an inner grid, and behind the shapes in it, the search goes on
     for (int k = 0; k < 40; ++k) spheres.push_back({{4 + 0.02 * k, k % 2 == 0 ? 0.3 : -0.3, 0}, 0.005});
     spheres.push_back({{9, 0, 0}, 0.1});
     const Grid grid = grid_of(spheres, {.density = 0.2, .crowd = 8});
-    REQUIRE_FALSE(grid.grids.empty());
+    INFO("forty small spheres in two rows beside the ray, in inner grids, and number 41 far behind them");
+    REQUIRE(grid.grids.size() > 0);
     const std::optional<Hit> behind = nearest(grid, spheres, {{2, 0, 0}, {1, 0, 0}});
-    INFO("between the two rows: " << behind);
-    REQUIRE(behind);
-    CHECK(behind->primitive == 41);
-    CHECK(behind->t == Approx(6.9));
+    {
+        INFO("a ray between the two rows finds: " << behind << ", expected number 41");
+        REQUIRE(behind);
+        CHECK(behind->primitive == 41);
+        CHECK(behind->t == Approx(6.9));
+    }
     const std::optional<Hit> inside = nearest(grid, spheres, {{2, 0.3, 0}, {1, 0, 0}});
-    INFO("along the upper row: " << inside);
-    REQUIRE(inside);
-    CHECK(inside->primitive == 1);
-    CHECK(inside->t == Approx(1.995));
+    {
+        INFO("a ray along the upper row finds: " << inside << ", expected number 1");
+        REQUIRE(inside);
+        CHECK(inside->primitive == 1);
+        CHECK(inside->t == Approx(1.995));
+    }
     Mailbox mailbox;
-    CHECK(any_hit(grid, spheres, {{2, 0, 0}, {1, 0, 0}}, {}, mailbox));
-    CHECK_FALSE(any_hit(grid, spheres, {{2, 0, 0}, {1, 0, 0}}, {0, 6.8}, mailbox));
-    CHECK(any_hit(grid, spheres, {{2, -0.3, 0}, {1, 0, 0}}, {0, 2.1}, mailbox));
+    INFO(
+        "whether any_hit finds one between the rows; there, but only up to t = 6.8; along the lower row up "
+        "to 2.1");
+    CHECK(any_hit(grid, spheres, {{2, 0, 0}, {1, 0, 0}}, {}, mailbox) == true);
+    CHECK(any_hit(grid, spheres, {{2, 0, 0}, {1, 0, 0}}, {0, 6.8}, mailbox) == false);
+    CHECK(any_hit(grid, spheres, {{2, -0.3, 0}, {1, 0, 0}}, {0, 2.1}, mailbox) == true);
 }
 
 TEST_CASE("a ball in a stadium: one grid asks nearly all of it, a grid of grids asks a few", "[09.8]") {
@@ -294,30 +308,38 @@ TEST_CASE("a ball in a stadium: one grid asks nearly all of it, a grid of grids 
         if (a.has_value() != b.has_value() || (a && (a->t != b->t || a->primitive != b->primitive)))
             ++different;
     }
-    INFO("of " << triangles.size() << " triangles a ray asks " << by_one << " by one grid, " << by_many
-               << " by a grid of grids");
+    {
+        INFO("of " << rays.size()
+                   << " rays, how many find something else by a grid of grids than by one grid");
+        CHECK(different == 0);
+    }
+    INFO("of " << triangles.size()
+               << " triangles how many a ray asks: by one grid nearly all, by a grid of grids few");
     CHECK(by_one > 0.8 * static_cast<Real>(triangles.size()));
     CHECK(by_many < 30);
-    CHECK(different == 0);
 }
 
 TEST_CASE("any hit will do, and ends the search", "[09.7]") {
     const std::vector<Sphere> spheres = row_of_spheres(100);
     const Grid grid = grid_of(spheres);
     Mailbox mailbox;
-    CHECK(any_hit(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {}, mailbox));
-    CHECK(any_hit(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {4.5, 4.7}, mailbox));
-    INFO("before the first sphere, between two, and beside all");
-    CHECK_FALSE(any_hit(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {0, 4.5}, mailbox));
-    CHECK_FALSE(any_hit(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {5.45, 5.55}, mailbox));
-    CHECK_FALSE(any_hit(grid, spheres, {{-5, 1, 0}, {1, 0, 0}}, {}, mailbox));
+    const auto check = [&](const Ray& ray, const Interval& range, bool expected) {
+        INFO("a row of 100 spheres; whether any_hit finds one along the " << ray << " in " << range);
+        CHECK(any_hit(grid, spheres, ray, range, mailbox) == expected);
+    };
+    const Ray along{{-5, 0, 0}, {1, 0, 0}};
+    check(along, {}, true);
+    check(along, {4.5, 4.7}, true);
+    check(along, {0, 4.5}, false);              // before the first sphere
+    check(along, {5.45, 5.55}, false);          // between two
+    check({{-5, 1, 0}, {1, 0, 0}}, {}, false);  // beside all
 
     bool hit = false;
     const SearchCounts first = counted([&] {
         hit = any_hit(grid, spheres, {{-5, 0, 0}, {1, 0, 0}}, {}, mailbox);
     });
-    CHECK(hit);
-    INFO("the ray hits the first of 100 spheres, and asked " << first.shapes);
+    CHECK(test::or_say(hit, "any_hit finds nothing"));
+    INFO("the ray hits the first of a row of 100 spheres: how many it asks");
     CHECK(first.shapes == 1);
 }
 
@@ -330,8 +352,10 @@ TEST_CASE("any hit counts wherever on the ray it is: a long shape may be hit far
     const SearchCounts counts = counted([&] {
         hit = any_hit(grid, triangles, {{-1, 0.9, 0.5}, {1, 0, 0}}, {}, mailbox);
     });
-    CHECK(hit);
-    INFO("the first shape in the first cells is hit in the last ones; the other need not be asked");
+    CHECK(test::or_say(hit, "any_hit finds nothing"));
+    INFO(
+        "the first shape in the first cells is hit in the last ones, the other need not be asked: how many "
+        "are");
     CHECK(counts.shapes == 1);
 }
 
@@ -347,10 +371,15 @@ TEST_CASE("a shadow ray in a crowd asks a few shapes, each once", "[09.8]") {
         if (hit != any_hit(triangles, ray, {}) || counts.shapes != marked(mailbox)) ++wrong;
         asked += counts.shapes;
     }
-    CHECK(wrong == 0);
-    INFO("asked " << asked << " shapes for " << rays.size() << " rays");
-    CHECK(asked < 30 * rays.size());
-    INFO("a floor alone is hit, and with no grid inside the cell");
-    CHECK(any_hit(grid, triangles, {{500, 3, 400}, {0, -1, 0}}, {}, mailbox));
-    CHECK_FALSE(any_hit(grid, triangles, {{500, 3, 400}, {0, -1, 0}}, {0, 2.9}, mailbox));
+    {
+        INFO("of " << rays.size() << " rays, for how many any_hit is wrong or asks a shape twice");
+        CHECK(wrong == 0);
+    }
+    {
+        INFO("how many shapes " << rays.size() << " rays ask, less than 30 each");
+        CHECK(asked < 30 * rays.size());
+    }
+    INFO("whether any_hit finds the floor from 3 above it; and where the range ends at 2.9");
+    CHECK(any_hit(grid, triangles, {{500, 3, 400}, {0, -1, 0}}, {}, mailbox) == true);
+    CHECK(any_hit(grid, triangles, {{500, 3, 400}, {0, -1, 0}}, {0, 2.9}, mailbox) == false);
 }

@@ -80,7 +80,10 @@ TEST_CASE("no part of a ray in a box is lost, and little is added, against exact
         const Interval exact{truth.near, truth.far};
         INFO("exact: " << (truth.inside ? "inside " : "outside ") << exact);
         INFO("actual: " << (actual ? "inside " : "outside ") << actual.value_or(Interval{}));
-        CHECK_FALSE(truth.lost);
+        CHECK(or_say(!truth.lost,
+                     "a part of the ray that is in the box is lost, if only in the last digit: rounding must "
+                     "be allowed for"));
+        INFO("by how much too much there is, in roundings of the distance");
         CHECK(truth.excess <= (truth.inside ? allowed : 2 * allowed));
         met += truth.inside ? 1 : 0;
         if (oracle::judge_clip(box, ray, range, naive::clip(box, ray, range)).lost) ++lost_by_naive;
@@ -121,7 +124,8 @@ TEST_CASE("the walk is exact, and the one that adds up is not", "[09.6][stabilit
 
         const std::vector<CellVisit> visits = cells_along(shape, ray, {});
         INFO("case " << k << ": " << shape.box << ", cells " << show(cells) << ", " << show(ray));
-        CHECK(fault_of(shape, ray, visits) == "");
+        const std::string fault = fault_of(shape, ray, visits);
+        CHECK(or_say(fault.empty(), fault));
 
         // Boundaries that are nearer to each other than rounding may be crossed in either order.
         const oracle::WalkTruth truth = oracle::judge_walk(shape, ray, *part);
@@ -129,7 +133,8 @@ TEST_CASE("the walk is exact, and the one that adds up is not", "[09.6][stabilit
             ++undecided;
             continue;
         }
-        CHECK(first_difference(cells_of(visits), truth.cells) == "");
+        const std::string difference = first_difference(cells_of(visits), truth.cells);
+        CHECK(or_say(difference.empty(), difference));
         if (cells_of(naive::cells_along(shape, ray, *part)) != truth.cells) ++wrong_when_adding;
     }
     CHECK(undecided < demanded(all / 2, all * 9 / 10));
@@ -150,7 +155,8 @@ TEST_CASE("the walk is exact, and the one that adds up is not", "[09.6][stabilit
         farthest = std::max(farthest, error_of(cells_along(fine, ray, {})));
         farthest_added = std::max(farthest_added, error_of(naive::cells_along(fine, ray, {0, 990})));
     }
-    CAPTURE(wrong_when_adding, farthest, farthest_added);
+    INFO(
+        "how far outside of its cell the ray is at most, in roundings: by the walk, and by one that adds up");
     CHECK(farthest <= allowed_outside);
     CHECK(farthest_added > 4 * allowed_outside);
 }

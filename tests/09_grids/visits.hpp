@@ -31,8 +31,8 @@ inline std::vector<Cells> cells_of(const std::vector<CellVisit>& visits) {
 inline std::string first_difference(const std::vector<Cells>& actual, const std::vector<Cells>& expected) {
     for (std::size_t i = 0; i < std::max(actual.size(), expected.size()); ++i) {
         if (i < actual.size() && i < expected.size() && actual[i] == expected[i]) continue;
-        return "visit " + std::to_string(i) + " is of " +
-               (i < actual.size() ? "cell " + show(actual[i]) : "no cell") + ", expected " +
+        return "visit " + std::to_string(i + 1) + " of " + std::to_string(expected.size()) + " is " +
+               (i < actual.size() ? "in cell " + show(actual[i]) : "missing") + ", expected " +
                (i < expected.size() ? "cell " + show(expected[i]) : "none");
     }
     return {};

@@ -22,7 +22,7 @@ ReportData family(int wrong) {
               {"undecided", 3},
               {"wrong", wrong},
               {"worst", 0.25},
-              {"worst_case", "Sphere{0x1p+0}"},
+              {"worst_case", "Sphere{1}"},
               {"first_wrong", wrong > 0 ? "Sphere{0x1.8p+0}" : ""}}},
             {"naive",
              {{"cases", 1000},
@@ -100,7 +100,7 @@ TEST_CASE("tables quote what has commas or quotes, and leave out what is no numb
     CHECK(tables[0].name == "stability.csv");
     CHECK(tables[0].content.ends_with(
         "02,\"nearest hit, from \"\"outside\"\"\",far & tiny,2,8κu,10000,3,0,0.25,"
-        "Sphere{0x1p+0},,formula,1000,700,Sphere{0x1p-1}\n"));
+        "Sphere{1},,formula,1000,700,Sphere{0x1p-1}\n"));
     CHECK(tables[1].name == "leave_out.csv");
     CHECK(tables[1].content.ends_with("shadow rays,1000,1000,1.0,1010,3000,9,1,0,0,100,200,true\n"));
 }

@@ -126,7 +126,7 @@ Json to_json(const Grids& grids) {
 Json to_json(const stability::Verdict& verdict) {
     return {{"cases", verdict.cases},           {"undecided", verdict.undecided},
             {"wrong", verdict.mismatches},      {"worst", number(verdict.worst)},
-            {"worst_case", verdict.worst_case}, {"first_wrong", verdict.first_mismatch}};
+            {"worst_case", verdict.worst_case}, {"first_wrong", verdict.plainest_mismatch}};
 }
 
 Json to_json(const std::vector<FamilyRow>& rows) {

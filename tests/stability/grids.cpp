@@ -411,7 +411,7 @@ bool equal(const std::optional<Hit>& a, const std::optional<Hit>& b) {
 }
 
 std::string text_of(const std::optional<Hit>& hit) {
-    if (!hit) return "no hit";
+    if (!hit) return "a miss";
     return "t = " + literal(hit->t) + ", primitive " + std::to_string(hit->primitive) + ", element " +
            std::to_string(hit->element) + ", uv " + literal(hit->uv);
 }
@@ -525,9 +525,9 @@ Verdict judge_nearest(const GridScene& scene, std::span<const GridQuestion> ques
         const std::optional<Hit> actual = nearest(scene, question, mailbox);
         const std::optional<Hit> expected = nearest_of_all(scene, question);
         ++verdict.cases;
-        if (equal(actual, expected) || verdict.mismatches++ > 0) continue;
-        verdict.first_mismatch = text_of(scene, question) + "\n  expected " + text_of(expected) +
-                                 "\n  actual   " + text_of(actual);
+        if (equal(actual, expected)) continue;
+        count_mismatch(verdict, text_of(scene, question) + "\n  right: " + text_of(expected) +
+                                    "\n  answered: " + text_of(actual));
     }
     return verdict;
 }
@@ -539,9 +539,9 @@ Verdict judge_any(const GridScene& scene, std::span<const GridQuestion> question
         const bool actual = any(scene, question, mailbox);
         const std::optional<Hit> expected = nearest_of_all(scene, question);
         ++verdict.cases;
-        if (actual == expected.has_value() || verdict.mismatches++ > 0) continue;
-        verdict.first_mismatch = text_of(scene, question) + "\n  any_hit says " + (actual ? "yes" : "no") +
-                                 ", the nearest hit is " + text_of(expected);
+        if (actual == expected.has_value()) continue;
+        count_mismatch(verdict, text_of(scene, question) + "\n  any_hit says " + (actual ? "yes" : "no") +
+                                    ", the nearest hit is " + text_of(expected));
     }
     return verdict;
 }

@@ -121,9 +121,12 @@ void count(Verdict& verdict, const Case& item, Precise error, const std::string&
             verdict.worst = static_cast<Real>(error);
             verdict.worst_case = literal_of(item);
         }
-    } else if (++verdict.mismatches == 1) {
-        verdict.first_mismatch = literal_of(item) + ": " + answer + ", " +
-                                 std::to_string(static_cast<Real>(error)) + " times what is allowed";
+    } else {
+        char times[32];
+        std::snprintf(times, sizeof times, "%.3g", static_cast<Real>(error));
+        count_mismatch(verdict, literal_of(item) + "\n  answered: " + answer + ", " +
+                                    (error < 1e300 ? "off by " + std::string(times) + " times what is allowed"
+                                                   : "which is wrong by any measure"));
     }
 }
 

@@ -259,11 +259,13 @@ void add(ShadowVerdict& total, const ShadowVerdict& batch) {
 }
 
 std::string describe(const ShadowVerdict& verdict) {
-    std::string text = std::to_string(verdict.cases) + " shadow rays, " + std::to_string(verdict.self_hits) +
-                       " hit the surface that they start on, " + std::to_string(verdict.lost) +
-                       " lost an occluder";
-    if (!verdict.first_self_hit.empty()) text += "\nfirst self hit:\n  " + verdict.first_self_hit;
-    if (!verdict.first_lost.empty()) text += "\nfirst lost occluder:\n  " + verdict.first_lost;
+    const std::string of_all = " of " + std::to_string(verdict.cases) + " shadow rays ";
+    std::string text = std::to_string(verdict.self_hits) + of_all + "hit the surface that they start on, " +
+                       std::to_string(verdict.lost) + " miss what stands in their way";
+    if (!verdict.first_self_hit.empty())
+        text += "\nthe first that hits its own surface:\n  " + verdict.first_self_hit;
+    if (!verdict.first_lost.empty())
+        text += "\nthe first that misses what stands in its way:\n  " + verdict.first_lost;
     return text;
 }
 

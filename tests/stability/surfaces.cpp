@@ -289,15 +289,15 @@ Verdict judge(const Bundles& bundles, std::span<const std::optional<Hit>> answer
         }
         const std::size_t count = merged(crossings);
         if (numbers && count > 0 && (count % 2 == 1) == bundle.odd) continue;
-        if (verdict.mismatches++ > 0) continue;
         const TriangleCase& item = bundles.cases[bundle.first];
-        verdict.first_mismatch = literal(item.ray) + "\n  right: an " + (bundle.odd ? "odd" : "even") +
-                                 " number of crossings of " + std::to_string(bundle.count) +
-                                 " triangles\n  answered: " +
-                                 (numbers ? std::to_string(hits) + " hits, merged " + std::to_string(count)
-                                          : "something that is not a number");
+        std::string what = literal(item.ray) + "\n  right: an " + (bundle.odd ? "odd" : "even") +
+                           " number of crossings of " + std::to_string(bundle.count) +
+                           " triangles\n  answered: " +
+                           (numbers ? std::to_string(hits) + " hits, merged " + std::to_string(count)
+                                    : "something that is not a number");
         for (std::size_t i = 0; i < std::min<std::size_t>(bundle.count, 8); ++i)
-            verdict.first_mismatch += "\n  " + literal(bundles.cases[bundle.first + i].triangle);
+            what += "\n  " + literal(bundles.cases[bundle.first + i].triangle);
+        count_mismatch(verdict, what);
     }
     return verdict;
 }

@@ -1,6 +1,7 @@
 // What a judge says of a batch of answers, and the tally of a chapter.
 #include "tests/stability/verdict.hpp"
 
+#include <charconv>
 #include <cstdio>
 #include <iostream>
 
@@ -14,29 +15,35 @@ void add(Verdict& total, const Verdict& batch) {
         total.worst = batch.worst;
         total.worst_case = batch.worst_case;
     }
-    if (total.first_mismatch.empty()) total.first_mismatch = batch.first_mismatch;
+    keep_plainest(total, batch.plainest_mismatch);
+}
+
+void keep_plainest(Verdict& verdict, const std::string& what) {
+    std::string& plainest = verdict.plainest_mismatch;
+    if (!what.empty() && (plainest.empty() || what.size() < plainest.size())) plainest = what;
 }
 
 void count_mismatch(Verdict& verdict, const std::string& what) {
-    if (verdict.mismatches++ == 0) verdict.first_mismatch = what;
+    ++verdict.mismatches;
+    keep_plainest(verdict, what);
 }
 
 std::string describe(const Verdict& verdict) {
+    if (verdict.mismatches > 0)
+        return std::to_string(verdict.mismatches) + " of " + std::to_string(verdict.cases) +
+               " cases are wrong; the plainest of them:\n  " + verdict.plainest_mismatch;
     char demand[32];
     std::snprintf(demand, sizeof demand, "%.3g", verdict.worst);
-    std::string text = std::to_string(verdict.cases) + " cases, " + std::to_string(verdict.mismatches) +
-                       " wrong, " + std::to_string(verdict.undecided) +
-                       " too close to call; greatest error of the right ones: " + demand +
+    std::string text = std::to_string(verdict.cases) + " cases, none wrong, " +
+                       std::to_string(verdict.undecided) + " too close to call; greatest error: " + demand +
                        " of what is allowed";
     if (!verdict.worst_case.empty()) text += ", at\n  " + verdict.worst_case;
-    if (!verdict.first_mismatch.empty()) text += "\nfirst wrong case:\n  " + verdict.first_mismatch;
     return text;
 }
 
 std::string literal(Real x) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%a", x);
-    return text;
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
 }
 
 std::string literal(const Vec2& v) { return "{" + literal(v.x) + ", " + literal(v.y) + "}"; }

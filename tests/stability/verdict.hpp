@@ -1,5 +1,5 @@
 // What a judge says of a batch of answers, and the tally of a chapter.
-// Worst cases are written in hexadecimal, so that they can be pasted into a test and run again.
+// Cases are written with all the digits that they need, so that they can be pasted into a test and run again.
 #pragma once
 
 #include "common/math/ray.hpp"
@@ -16,9 +16,10 @@ struct Verdict {
     std::size_t cases = 0;
     std::size_t undecided = 0;
     std::size_t mismatches = 0;
-    Real worst = 0;              ///< greatest error of the answers that are right, in units of the demand
-    std::string worst_case;      ///< which case that was
-    std::string first_mismatch;  ///< the first wrong case, what is right and what was answered; or empty
+    Real worst = 0;                 ///< greatest error of the answers that are right, in units of the demand
+    std::string worst_case;         ///< which case that was
+    std::string plainest_mismatch;  ///< the wrong case that is shortest to write, what is right and what was
+                                    ///< answered; or empty
 };
 
 /// Adds the verdict on a further batch.
@@ -26,6 +27,9 @@ void add(Verdict& total, const Verdict& batch);
 
 /// Counts a wrong answer; `what` says which case it was, what is right and what was answered.
 void count_mismatch(Verdict& verdict, const std::string& what);
+
+/// Keeps `what` if it is shorter than the wrong case that was kept so far: short numbers are plain ones.
+void keep_plainest(Verdict& verdict, const std::string& what);
 
 /// Remembers the greatest error so far; `write()` says which case it was.
 template <class Write>
@@ -38,7 +42,7 @@ void remember(Verdict& verdict, Real error, Write write) {
 /// A few lines for a person: counts, worst case, first mismatch.
 std::string describe(const Verdict& verdict);
 
-/// A number, a vector, a ray or a shape as a C++ literal of hexadecimal floats, without any rounding.
+/// A number, a vector, a ray or a shape as a C++ literal that is read back as the same numbers.
 std::string literal(Real x);
 std::string literal(const Vec2& v);
 std::string literal(const Vec3& v);

@@ -1,0 +1,12 @@
+// Whether a failed test's message is written for a student.
+#pragma once
+
+#include <string>
+
+namespace rt {
+
+/// What keeps the message of a failed test (tests/main.cpp) from saying in words what is wrong, such as "says
+/// nothing but false"; empty if nothing does.
+std::string unclear(const std::string& message);
+
+}  // namespace rt
