@@ -1,7 +1,6 @@
 // Pictures by POV-Ray: the program run on a scene, and what it draws put together as our filters do.
 #include "common/evidence/povray_picture.hpp"
 
-#include "chapters/08_antialiasing/film.hpp"
 #include "common/image/file.hpp"
 #include "common/povray/export.hpp"
 #include "common/povray/exposure.hpp"
@@ -75,6 +74,9 @@ Image developed(std::span<const FilmPixel> film, const Scene& scene) {
     return image;
 }
 
+/// Whether a pixel takes the mean of its own samples, also of those on its edge, and of no others.
+bool takes_its_own(const Filter& filter) { return filter.kind == FilterKind::Box && filter.radius == 0.5; }
+
 /// Where some of the pictures are cut off at white, the mean of all is not known.
 struct White {
     std::vector<glm::ivec3> counts;  ///< a pixel: of how many pictures each channel is white
@@ -89,8 +91,7 @@ struct White {
 
     /// Where all pictures are white, a pixel that takes no samples of its neighbours is white, too.
     void require_none(const Scene& scene, int stills) const {
-        const Filter& filter = scene.sampling.filter;
-        const bool alone = filter.kind == FilterKind::Box && filter.radius == 0.5;
+        const bool alone = takes_its_own(scene.sampling.filter);
         const auto width = static_cast<std::size_t>(scene.width);
         for (std::size_t i = 0; i < counts.size(); ++i)
             for (int channel = 0; channel < 3; ++channel) {
@@ -109,19 +110,15 @@ struct White {
 Image mean_of_frames(const std::string& name, int count, const Scene& scene, const fs::path& directory) {
     const std::vector<Snapshot> snapshots = snapshots_of(scene);
     const std::size_t digits = fmt::format("{}", count - 1).size();
-    const Tile whole{0, 0, scene.width, scene.height};
-    std::vector<FilmPixel> film;
+    std::vector<FilmPixel> film(static_cast<std::size_t>(scene.width) *
+                                static_cast<std::size_t>(scene.height));
     White white(scene);
     for (int k = 0; k < count; ++k) {
         const fs::path file = directory / fmt::format("{}{:0{}}.png", name, k, digits);
         const Image still = read_image(file);
         fs::remove(file);
         white.look_at(still);
-        const Snapshot& snapshot = snapshots[static_cast<std::size_t>(k)];
-        const std::vector<FilmPixel> exposed =
-            film_of(samples_of(still, 1, snapshot.at, snapshot.weight), scene.sampling.filter, whole);
-        film.resize(exposed.size());
-        for (std::size_t i = 0; i < film.size(); ++i) film[i] = merge(film[i], exposed[i]);
+        expose(film, still, snapshots[static_cast<std::size_t>(k)], scene.sampling.filter);
     }
     white.require_none(scene, count);
     Image image = developed(film, scene);
@@ -142,6 +139,18 @@ PovrayPicture kept(fs::path file, const Image& image, double seconds) {
 }
 
 }  // namespace
+
+void expose(std::vector<FilmPixel>& film, const Image& still, const Snapshot& snapshot,
+            const Filter& filter) {
+    if (takes_its_own(filter)) {
+        for (std::size_t i = 0; i < film.size(); ++i)
+            film[i] = add(film[i], still.pixels[i], snapshot.weight);
+        return;
+    }
+    const std::vector<FilmPixel> exposed = film_of(samples_of(still, 1, snapshot.at, snapshot.weight), filter,
+                                                   {0, 0, still.width, still.height});
+    for (std::size_t i = 0; i < film.size(); ++i) film[i] = merge(film[i], exposed[i]);
+}
 
 Image filtered(const Image& large, int scale, const Scene& scene) {
     return developed(film_of(samples_of(large, scale, Vec2(0.5), 1), scene.sampling.filter,

@@ -1,6 +1,7 @@
 // Pictures by POV-Ray: the program run on a scene, and its samples weighed by our filters.
 #pragma once
 
+#include "chapters/08_antialiasing/film.hpp"
 #include "common/image/image.hpp"
 #include "common/math/input_error.hpp"
 #include "common/scene/snapshot.hpp"
@@ -46,6 +47,10 @@ double povray_startup(const std::filesystem::path& directory);
 
 /// A picture that is `scale` times as large, as samples of the scene's pixels, weighed by its filter.
 Image filtered(const Image& large, int scale, const Scene& scene);
+
+/// Adds a still picture to the film of as many pixels: one sample of each, where the snapshot says, weighed
+/// as the renderer weighs samples. A box filter of one pixel takes a pixel's own, also those on its edge.
+void expose(std::vector<FilmPixel>& film, const Image& still, const Snapshot& snapshot, const Filter& filter);
 
 /// The scene whose pixels are the samples of this one, `scale` × `scale` a pixel.
 Scene scene_of_samples(Scene scene, int scale);
