@@ -4,8 +4,6 @@
 #include "common/math/error.hpp"
 #include "common/render/groups.hpp"
 
-#include <ranges>
-
 namespace rt {
 namespace {
 
@@ -68,7 +66,8 @@ Ray seen_by(const Turning& turning, const Ray& ray) {
 }
 
 Vec3 turned(const Turning& turning, Vec3 direction, Real time) {
-    for (const Spin& spin : turning.spins | std::views::reverse) direction = turned(spin, direction, time);
+    for (auto spin = turning.spins.rbegin(); spin != turning.spins.rend(); ++spin)
+        direction = turned(*spin, direction, time);
     return direction;
 }
 
@@ -88,7 +87,8 @@ Surface surface_at(const Moving& moving, const Ray& ray, const Hit& hit, bool uv
 
 Surface surface_at(const Turning& turning, const Ray& ray, const Hit& hit, bool uvs) {
     Surface surface = surface_of_still(turning.shape, seen_by(turning, ray), hit, uvs);
-    for (const Spin& spin : turning.spins | std::views::reverse) turn_on(spin, ray.time, surface);
+    for (auto spin = turning.spins.rbegin(); spin != turning.spins.rend(); ++spin)
+        turn_on(*spin, ray.time, surface);
     move_on(turning.motion, ray.time, surface);
     return surface;
 }
@@ -107,7 +107,8 @@ Bounds bounds_of(const Moving& moving) {
 
 Bounds bounds_of(const Turning& turning) {
     Bounds bounds = bounds_of_still(turning.shape);
-    for (const Spin& spin : turning.spins | std::views::reverse) bounds = bounds_while_turning(bounds, spin);
+    for (auto spin = turning.spins.rbegin(); spin != turning.spins.rend(); ++spin)
+        bounds = bounds_while_turning(bounds, *spin);
     return bounds_while_moving(bounds, turning.motion);
 }
 
