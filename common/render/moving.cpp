@@ -7,10 +7,6 @@
 namespace rt {
 namespace {
 
-std::optional<Hit> intersect_still(const Still& still, const Ray& seen, Interval range) {
-    return std::visit([&](const auto& shape) { return intersect(shape, seen, range); }, still);
-}
-
 Surface surface_of_still(const Still& still, const Ray& seen, const Hit& hit, bool uvs) {
     return std::visit(
         [&]<class Shape>(const Shape& shape) {
@@ -72,11 +68,13 @@ Vec3 turned(const Turning& turning, Vec3 direction, Real time) {
 }
 
 std::optional<Hit> intersect(const Moving& moving, const Ray& ray, Interval range) {
-    return intersect_still(moving.shape, seen_by(moving, ray), range);
+    const Ray seen = seen_by(moving, ray);
+    return std::visit([&](const auto& shape) { return intersect(shape, seen, range); }, moving.shape);
 }
 
 std::optional<Hit> intersect(const Turning& turning, const Ray& ray, Interval range) {
-    return intersect_still(turning.shape, seen_by(turning, ray), range);
+    const Ray seen = seen_by(turning, ray);
+    return std::visit([&](const auto& shape) { return intersect(shape, seen, range); }, turning.shape);
 }
 
 Surface surface_at(const Moving& moving, const Ray& ray, const Hit& hit, bool uvs) {
