@@ -52,7 +52,7 @@ Interval arc_range(Real x, Real y, Real angle) {
 namespace {
 
 /// The eight corners of a box, as seen from the center. Given.
-std::array<Vec3, 8> corners_from(const Vec3& center, const Bounds& bounds) {
+[[maybe_unused]] std::array<Vec3, 8> corners_from(const Vec3& center, const Bounds& bounds) {
     std::array<Vec3, 8> corners;
     for (std::size_t i = 0; i < 8; ++i) {
         const bool right = (i & 1) != 0, upper = (i & 2) != 0, front = (i & 4) != 0;

@@ -4,14 +4,8 @@
 #include "common/math/error.hpp"
 #include "common/render/groups.hpp"
 
-#include <ranges>
-
 namespace rt {
 namespace {
-
-std::optional<Hit> intersect_still(const Still& still, const Ray& seen, Interval range) {
-    return std::visit([&](const auto& shape) { return intersect(shape, seen, range); }, still);
-}
 
 Surface surface_of_still(const Still& still, const Ray& seen, const Hit& hit, bool uvs) {
     return std::visit(
@@ -68,16 +62,19 @@ Ray seen_by(const Turning& turning, const Ray& ray) {
 }
 
 Vec3 turned(const Turning& turning, Vec3 direction, Real time) {
-    for (const Spin& spin : turning.spins | std::views::reverse) direction = turned(spin, direction, time);
+    for (auto spin = turning.spins.rbegin(); spin != turning.spins.rend(); ++spin)
+        direction = turned(*spin, direction, time);
     return direction;
 }
 
 std::optional<Hit> intersect(const Moving& moving, const Ray& ray, Interval range) {
-    return intersect_still(moving.shape, seen_by(moving, ray), range);
+    const Ray seen = seen_by(moving, ray);
+    return std::visit([&](const auto& shape) { return intersect(shape, seen, range); }, moving.shape);
 }
 
 std::optional<Hit> intersect(const Turning& turning, const Ray& ray, Interval range) {
-    return intersect_still(turning.shape, seen_by(turning, ray), range);
+    const Ray seen = seen_by(turning, ray);
+    return std::visit([&](const auto& shape) { return intersect(shape, seen, range); }, turning.shape);
 }
 
 Surface surface_at(const Moving& moving, const Ray& ray, const Hit& hit, bool uvs) {
@@ -88,7 +85,8 @@ Surface surface_at(const Moving& moving, const Ray& ray, const Hit& hit, bool uv
 
 Surface surface_at(const Turning& turning, const Ray& ray, const Hit& hit, bool uvs) {
     Surface surface = surface_of_still(turning.shape, seen_by(turning, ray), hit, uvs);
-    for (const Spin& spin : turning.spins | std::views::reverse) turn_on(spin, ray.time, surface);
+    for (auto spin = turning.spins.rbegin(); spin != turning.spins.rend(); ++spin)
+        turn_on(*spin, ray.time, surface);
     move_on(turning.motion, ray.time, surface);
     return surface;
 }
@@ -107,7 +105,8 @@ Bounds bounds_of(const Moving& moving) {
 
 Bounds bounds_of(const Turning& turning) {
     Bounds bounds = bounds_of_still(turning.shape);
-    for (const Spin& spin : turning.spins | std::views::reverse) bounds = bounds_while_turning(bounds, spin);
+    for (auto spin = turning.spins.rbegin(); spin != turning.spins.rend(); ++spin)
+        bounds = bounds_while_turning(bounds, *spin);
     return bounds_while_moving(bounds, turning.motion);
 }
 

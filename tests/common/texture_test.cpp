@@ -205,6 +205,16 @@ TEST_CASE("what moves takes its picture along") {
         const std::string half = "spp 1\nsampler regular\n" + look + corners;
         CHECK(test::differing(picture_with(half + "spin 0 0 1 360\n" + shape),
                               picture_with(half + "rotate 0 0 1 180\n" + shape), 1e-6) <= 1);
+        // So are the directions in which the picture runs.
+        const std::string relief =
+            "integrator normals\nnormalmap four.pfm\northographic 1\nspp 1\n"
+            "sampler regular\n" +
+            corners;
+        CHECK(test::differing(picture_with(relief + "spin 0 0 1 360\n" + shape),
+                              picture_with(relief + "rotate 0 0 1 180\n" + shape), 1e-6) <= 1);
+        CHECK(test::differing(picture_with(relief + "spin 0 0 1 360\n" + shape),
+                              picture_with("integrator normals\northographic 1\n" + corners + shape),
+                              1e-6) > 9);
     }
 }
 

@@ -48,9 +48,9 @@ const CommandRow rows[] = {
      add_rotation},
     {{"scale", "x y z", "Likewise by a scaling; no factor may be 0.", "04"}, add_scaling},
     {{"spin", "x y z degrees",
-      "Multiply the current transform on the right by a `rotate` whose angle grows evenly, from 0 at time 0 "
-      "to this at time 1, which may be more turns than one. What was said before it is where the axis is, "
-      "and scales all lengths alike; `motion` moves the whole.",
+      "Multiply the current transform on the right by a rotation that takes time: its angle grows evenly "
+      "from 0 at time 0 to `degrees` at time 1, which may be several turns. Scales before it must be the "
+      "same along all axes. `motion` moves the whole.",
       "12"},
      add_spin},
     {{"pushTransform", "", "Remember the current transform.", "04"},
