@@ -358,15 +358,27 @@ void write_object(Author& a) {
     if (moved) a.line("popTransform");
 }
 
-/// A floor, seldom a wall or a glass one; it never runs along an axis, where rounding would choose a checker.
-void write_plane(Author& a) {
-    write_material(a, 0.15);
+/// A floor, seldom a wall; `glassy` as above. It never runs along an axis, where rounding would choose a
+/// checker.
+void write_plane(Author& a, Real glassy) {
+    write_material(a, glassy);
     write_texturing(a, true);
     const Vec3 normal = a.chance(0.8) ? Vec3(a.uniform(-0.1, 0.1), 1, a.uniform(-0.1, 0.1))
                                       : Vec3(a.uniform(-0.3, 0.3), a.uniform(-0.3, 0.3), 1);
     const Vec3 point = normal.z == 1 ? Vec3(0, 0, -3) : Vec3(0, a.uniform(-1.6, -1), 0);
     const Real side = a.chance(0.1) ? -1 : 1;  // which side is inside
     a.line("plane {} {}", triple(a.unit * point), triple(normal * side * a.uniform(0.5, 2)));
+}
+
+/// Seldom two half-spaces more, mostly of glass, by random numbers of their own. They overlap, sometimes
+/// around the eye.
+void write_wedge(Author& a, std::uint64_t number) {
+    Author b = a;
+    b.random = random_for(number, 3, 0);
+    if (b.integrator == rasterize_word || !b.chance(0.08)) return;
+    b.text.clear();
+    for (int i = 0; i < 2; ++i) write_plane(b, 0.8);
+    a.text += b.text;
 }
 
 /// What chapter 12 brings, by random numbers of its own. Mostly it says that nothing blurs.
@@ -433,7 +445,8 @@ std::string random_scene(std::uint64_t number) {
     write_lights(a);
     write_blur(a);
     if (a.chance(0.1)) a.line("maxverts 100\nmaxvertnorms 100");
-    if (a.integrator != rasterize_word && a.chance(0.7)) write_plane(a);
+    if (a.integrator != rasterize_word && a.chance(0.7)) write_plane(a, 0.15);
+    write_wedge(a, number);
     const int count = a.whole(1, 6);
     for (int i = 0; i < count; ++i) {
         if (a.blurred) write_motion(a);

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace rt::povray {
 namespace {
@@ -62,6 +63,20 @@ void refuse_nested_fresnel(const Scene& scene) {
                                    "{}: on the way out POV-Ray forgets what is around",
                                    other.place.line));
     }
+}
+
+/// Of bodies around the eye, the one that is left first is the innermost; POV-Ray has an order of its own.
+void refuse_order_around_eye(const Scene& scene) {
+    std::vector<const Object*> around;
+    for (const Object& object : scene.objects)
+        if (is_glass(scene, object) && surrounds_eye(scene, object)) around.push_back(&object);
+    for (const Object* object : around)
+        if (material_of(scene, *object).ior != material_of(scene, *around.front()).ior)
+            refuse(
+                scene, *object,
+                fmt::format("transparent and around the eye, as is the one of line {} with another index of "
+                            "refraction: POV-Ray does not know which is the inner one",
+                            around.front()->place.line));
 }
 
 /// Of several bodies in one place, ours is made of the one that a ray entered last, which displaces the
@@ -211,6 +226,7 @@ void refuse_other_optics(const Scene& scene) {
     if (!may_bounce(scene)) return;
     refuse_nested_fresnel(scene);
     refuse_nested_absorption(scene);
+    refuse_order_around_eye(scene);
     refuse_partly_inside(scene);
 }
 

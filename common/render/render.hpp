@@ -16,8 +16,8 @@ struct RenderOptions {
     /// Goes on with passes of new samples for about so long (wall clock). One whole pass at least is made.
     std::optional<double> seconds{};
     /// Goes on with passes of new samples until the estimated RMS error is at most this, or further samples
-    /// make it hardly better. If `seconds` is given too, whichever comes first ends the picture. With either, the world's sampling.count is not
-    /// used.
+    /// make it hardly better. If `seconds` is given too, whichever comes first ends the picture. With either,
+    /// the world's sampling.count is not used.
     std::optional<Real> error{};
     /// Whether a picture of a given number of samples estimates its error, which takes further samples.
     bool estimate = true;

@@ -3,6 +3,7 @@
 #include "common/povray/exposure.hpp"
 #include "common/render/integrators.hpp"
 #include "common/render/snapshots.hpp"
+#include "common/render/trace.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
 #include "tests/show.hpp"
@@ -401,6 +402,23 @@ TEST_CASE("absorption is refused where POV-Ray adds it up", "[export]") {
     CHECK_FALSE(is_refused(water + "sphere -1.4 0 0 .9\n" + glass + "sphere 1.4 0 0 .9\n"));
     CHECK(is_refused(water + "plane 0 0 -2  .3 .1 -1\n" + glass + "plane 0 0 -9  .2 -.3 -1\n"));
     CHECK_FALSE(is_refused("maxdepth 0\n" + nested));
+}
+
+TEST_CASE("several bodies of different glass around the eye are refused, whose order POV-Ray does not know",
+          "[export]") {
+    const std::string room = "ambient 0 0 0\ntransmission 1 1 1\nior 1.5\nbox -1 -1 4 1 1 6\nior 1.2\n",
+                      outer = "box -2 -2 3 2 2 7\n";
+    CHECK(error_of(room + outer) ==
+          "small.scene:9:1: POV-Ray cannot express this object: transparent and around the eye, as is the "
+          "one of "
+          "line 7 with another index of refraction: POV-Ray does not know which is the inner one");
+    CHECK(error_of(room + "ior 1.5\n" + outer).empty());
+    CHECK(error_of(room + "box -2 -2 1 2 2 3\n").empty());
+    // Ours are right: through parallel faces a ray leans 1.5 times as much as in the inner glass (Snell).
+    const World world = test::world_of("camera 0 0 5 0 0 0 0 1 0 40\nsize 1 1\n" + room + outer);
+    const Vec3 inside = glm::normalize(Vec3(0.1, 0.05, -1));
+    const Vec3 outside = trace_tree(world, {Vec3(0, 0, 5), inside}).back().branch.ray.direction;
+    CHECK(test::near(Vec2(outside), 1.5 * Vec2(inside), 1e-12));
 }
 
 TEST_CASE("bodies with fresnel that may be nested are refused", "[export]") {
