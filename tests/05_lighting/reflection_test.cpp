@@ -243,10 +243,8 @@ TEST_CASE("light from behind gives nothing, not even a highlight", "[05.5]") {
     const LightSample behind{.direction = leaning(95), .distance = 1, .color = Vec3(1)};
     for (const Highlight highlight : {Highlight::Blinn, Highlight::Phong}) {
         material.highlight = highlight;
-        INFO(
-            "light that comes from 5 degrees below the surface, and light along it: the reflected light, "
-            "highlight "
-            << (highlight == Highlight::Blinn ? "by Blinn" : "by Phong"));
+        INFO("light from 5 degrees below the surface, and light along it, highlight by "
+             << (highlight == Highlight::Blinn ? "Blinn" : "Phong") << ": the reflected light");
         CHECK(near_color(reflected_light(material, up, leaning(-60), behind, Vec3(1)), Vec3(0), 0));
         CHECK(near_color(reflected_light(material, up, leaning(-60), {{1, 0, 0}, 1, Vec3(1)}, Vec3(1)),
                          Vec3(0), 0));

@@ -148,8 +148,7 @@ TEST_CASE("mean and standard error of 1, 2, 3, 4", "[08.7]") {
         INFO("their mean");
         CHECK(e.mean == Vec3(2.5, 7, -2.5));
     }
-    INFO(
-        "the standard error of the mean in x, s/√4 with s² = 5/3; in y, where all are the same; in z, as in x");
+    INFO("the standard error of the mean: in x it is s/√4 with s² = 5/3, in y 0, in z as in x");
     CHECK(test::near(e.standard_error.x, expected, 4 * u));
     CHECK(e.standard_error.y == 0);
     CHECK(e.standard_error.z == e.standard_error.x);

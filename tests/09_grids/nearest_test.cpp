@@ -123,10 +123,8 @@ TEST_CASE("a hit in a later cell does not hide a nearer one of another shape", "
     const Ray ray{{-1, 0.9, 0.5}, {1, 0, 0}};
     const std::optional<Hit> hit = nearest(grid, triangles, ray);
     {
-        INFO(
-            "triangle 0 is long, and hit at t = 9.33; triangle 1 stands across in front of it, at t = 6; "
-            "found: "
-            << hit);
+        INFO("triangle 0 is long, hit at t = 9.33; triangle 1 stands across before it, at t = 6; found: "
+             << hit);
         REQUIRE(hit);
         CHECK(hit->primitive == 1);
         CHECK(hit->t == Approx(6));
