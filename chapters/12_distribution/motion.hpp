@@ -42,9 +42,9 @@ Bounds bounds_while_moving(const Bounds& bounds, const Vec3& motion);
 ///
 /// So the thing need not turn: what the ray hits of it, as it stood at time 0, is hit at the same t as the
 /// ray hits the thing where it is at ray.time. Where ray.time · spin.angle is 0, it is the ray itself, to the
-/// bit. Else, with the angle ray.time · spin.angle as it is rounded to a Real, each coordinate of the origin
-/// is off by at most gamma(64) of |ray.origin| + |spin.center|, and of the direction by gamma(64) of
-/// |ray.direction|, short of underflow.
+/// bit but for the sign of a zero. Else, with the angle ray.time · spin.angle as it is rounded to a Real,
+/// each coordinate of the origin is off by at most gamma(64) of |ray.origin| + |spin.center|, and of the
+/// direction by gamma(64) of |ray.direction|, short of underflow.
 Ray seen_while_turning(const Ray& ray, const Spin& spin);
 
 /// [12.22] The least and the greatest of x·cos θ + y·sin θ for all θ from 0 to `angle`, which is finite and

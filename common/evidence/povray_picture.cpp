@@ -74,12 +74,9 @@ Image developed(std::span<const FilmPixel> film, const Scene& scene) {
     return image;
 }
 
-/// Whether a pixel takes the mean of its own samples, also of those on its edge, and of no others.
-bool takes_its_own(const Filter& filter) { return filter.kind == FilterKind::Box && filter.radius == 0.5; }
-
 /// Where some of the pictures are cut off at white, the mean of all is not known.
 struct White {
-    std::vector<glm::ivec3> counts;  ///< a pixel: of how many pictures each channel is white
+    std::vector<glm::ivec3> counts;  ///< a pixel: in how many pictures each channel is white
 
     explicit White(const Scene& scene)
         : counts(static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height)) {}
@@ -91,12 +88,12 @@ struct White {
 
     /// Where all pictures are white, a pixel that takes no samples of its neighbours is white, too.
     void require_none(const Scene& scene, int stills) const {
-        const bool alone = takes_its_own(scene.sampling.filter);
+        const bool is_white = takes_its_own(scene.sampling.filter) && exposure_of(scene) == 1;
         const auto width = static_cast<std::size_t>(scene.width);
         for (std::size_t i = 0; i < counts.size(); ++i)
             for (int channel = 0; channel < 3; ++channel) {
                 const int count = counts[i][channel];
-                if (count == 0 || (alone && count == stills && exposure_of(scene) == 1)) continue;
+                if (count == 0 || (is_white && count == stills)) continue;
                 throw InputError(
                     fmt::format("{}: POV-Ray's picture of a sample is cut off at white in pixel ({}, {}), so "
                                 "the mean is not known: let the lights be darker",
@@ -122,7 +119,8 @@ Image mean_of_frames(const std::string& name, int count, const Scene& scene, con
     }
     white.require_none(scene, count);
     Image image = developed(film, scene);
-    for (Vec3& color : image.pixels) color /= exposure_of(scene);
+    const Real exposure = exposure_of(scene);
+    for (Vec3& color : image.pixels) color /= exposure;
     return image;
 }
 

@@ -36,9 +36,8 @@ PovrayPicture samples_by_povray(const std::string& name, const std::string& text
                                 const std::filesystem::path& directory);
 
 /// The same with the samples weighed: the picture. Of a blurred scene these are many pictures, which are not
-/// left there; where it is brighter than white it is NAME.hdr. Throws
-/// InputError if one of several is white somewhere, because the mean of what is cut off there is not what is
-/// cut off of the mean.
+/// left there; where it is brighter than white it is NAME.hdr. Throws InputError if one of several is white
+/// somewhere, because the mean of what is cut off there is not what is cut off of the mean.
 PovrayPicture picture_by_povray(const std::string& name, const std::string& text, const Scene& scene,
                                 const std::filesystem::path& directory);
 

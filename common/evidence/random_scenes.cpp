@@ -436,8 +436,7 @@ std::string random_scene(std::uint64_t number) {
     a.tame = of_kind.chance(0.55);
     a.blurred = of_kind.chance(0.06);
     if (a.tame && (a.integrator == "direct" || a.integrator == "analyticdirect")) a.integrator = "raytrace";
-    const bool dim = a.chance(0.25);
-    a.dim = dim || a.blurred;
+    a.dim = a.chance(0.25) || a.blurred;
     if (a.chance(0.15)) a.unit = std::pow(10, a.whole(-9, 9));
     write_picture(a);
     if (a.chance(0.15)) write_sky(a);

@@ -73,7 +73,11 @@ void write_changed(const ReferenceFinding& finding, const std::string& text, con
         else
             fs::remove(scene.pov);
     }
-    if (finding.picture != Kept::Same) write_file(scene.picture, read_file(made));
+    if (finding.picture == Kept::Same) return;
+    write_file(scene.picture, read_file(made));
+    // A picture of the other format would be an old one.
+    fs::path other = scene.picture;
+    fs::remove(other.replace_extension(scene.picture.extension() == ".hdr" ? ".png" : ".hdr"));
 }
 
 /// Fills in what POV-Ray says of a scene, and with `make` writes it.

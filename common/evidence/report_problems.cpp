@@ -71,7 +71,7 @@ void add_stability(Problems& problems, const ReportData& rows) {
     for (const auto& row : rows) {
         const auto& stable = row.at("stable");
         if (stable.at("wrong") > 0)
-            problems.push_back(fmt::format("chapter {}, {}, {}: {} of {} cases are wrong; the first: {}",
+            problems.push_back(fmt::format("chapter {}, {}, {}: {} of {} cases are wrong; the plainest: {}",
                                            text(row.at("chapter")), text(row.at("question")),
                                            text(row.at("family")), number(stable.at("wrong")),
                                            number(stable.at("cases")), text(stable.at("first_wrong"))));

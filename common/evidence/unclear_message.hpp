@@ -6,7 +6,7 @@
 namespace rt {
 
 /// What keeps the message of a failed test (tests/main.cpp) from saying in words what is wrong, such as "says
-/// nothing but false"; empty if nothing does.
+/// true or false, not what that means"; empty if nothing does.
 std::string unclear(const std::string& message);
 
 }  // namespace rt

@@ -218,7 +218,7 @@ void refuse_other_optics(const Scene& scene) {
         refuse_material(scene, object);
         refuse_glass_shape(scene, object);
     }
-    // Of the mean of many samples the points may be the same.
+    // Where the picture is a mean of many snapshots, all bounces may share a snapshot's points.
     if (integrator.area_lights && !scene.area_lights.empty() && has_bounces(scene) && shares_samples(scene))
         refuse(scene, scene.area_lights.front(),
                "an extent in a scene with bounces, each of which has points of its own: say 'maxdepth 0'");

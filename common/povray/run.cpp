@@ -20,7 +20,7 @@ std::vector<std::string> antialiasing(int method, int depth) {
 
 PovrayRun povray_run(const Scene& scene) {
     const Sampling& sampling = scene.sampling;
-    const bool box = sampling.filter.kind == FilterKind::Box && sampling.filter.radius == 0.5;
+    const bool box = takes_its_own(sampling.filter);
     const int count = sampling.count;
     if (scene.visibility == Visibility::Rasterize) return {};
     if (const int snapshots = snapshot_count(scene); snapshots > 1)

@@ -282,12 +282,11 @@ World compile(const Scene& scene) {
     world.max_depth = scene.max_depth;
     world.min_contribution = scene.min_contribution;
     world.sampling = scene.sampling;
-    const Filter& filter = scene.sampling.filter;
-    const bool own_samples = filter.kind == FilterKind::Box && filter.radius == 0.5;
     // Scan conversion finds what is at the pixels' centres.
     compile_camera(scene, world);
-    world.needs.samples = scene.visibility != Visibility::Rasterize &&
-                          (scene.sampling.count > 1 || !own_samples || world.needs.blur);
+    world.needs.samples =
+        scene.visibility != Visibility::Rasterize &&
+        (scene.sampling.count > 1 || !takes_its_own(scene.sampling.filter) || world.needs.blur);
     if (scene.visibility == Visibility::Rasterize) check_rasterized(scene);
     if (!row_of(scene.integrator).objects) return world;
     compile_materials(scene, world);

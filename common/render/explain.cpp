@@ -189,7 +189,7 @@ void explain_features(const Scene& scene, const World& world, Explanation& expla
                  "no light has an extent, or nothing asks for it");
     sort.feature(needs.gloss || needs.rough, "spread rays",
                  spread_varies(world)
-                     ? "some material is glossy, translucent or rough, how much its texture says"
+                     ? "some material is glossy, translucent or rough, and a texture says how much"
                      : "some material is glossy, translucent or rough",
                  "every mirrored and refracted ray has one direction");
     if (needs.samples)

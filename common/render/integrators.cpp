@@ -157,7 +157,7 @@ HitColor own_light_of_hit(const World& world) {
 
 // raytrace
 
-/// The shading sum of SCENE_FORMAT.md, without reflection. Whether materials vary is decided once a picture.
+/// The shading sum of chapter 5, without reflection. Whether materials vary is decided once a picture.
 template <bool varied>
 struct SumOfLights {
     template <class Among>

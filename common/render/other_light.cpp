@@ -60,11 +60,12 @@ Vec3 sum_of_all(const World& world, const Surface& surface, const Material& mate
 
 LampShading lamp_shading(const World& world, const Surface& surface, const Material& material,
                          const Vec3& normal, const Vec3& to_viewer) {
-    LampShading lamps{material, normal, to_viewer, finish_of(world, material), {}, Mat3(1)};
+    LampShading lamps{material, normal, to_viewer, finish_of(world, material), {}, Mat3(1), to_viewer};
     if (!lamps.finish) return lamps;
     // The z axis of glass points out of it.
     const bool is_inside = shines_through(lamps) && dot(surface.normal, to_viewer) < 0;
     lamps.frame = axes_around(is_inside ? -normal : normal);
+    lamps.viewer = to_viewer * lamps.frame;
     lamps.lobe = lobe_of(*lamps.finish, material);
     lamps.plain.diffuse = Vec3(0);
     return lamps;
@@ -75,17 +76,15 @@ bool shines_through(const LampShading& lamps) {
 }
 
 Vec3 lobe_towards(const LampShading& lamps, const LightSample& light) {
-    return evaluate(lamps.lobe, light.direction * lamps.frame, lamps.to_viewer * lamps.frame);
+    return evaluate(lamps.lobe, light.direction * lamps.frame, lamps.viewer);
 }
 
 Vec3 sent_on(const LampShading& lamps, const LightSample& light, const Vec3& visible) {
-    Vec3 sum(0);
-    if (dot(lamps.normal, light.direction) > 0)
-        sum = reflected_light(lamps.plain, lamps.normal, lamps.to_viewer, light, visible);
-    if (lamps.finish)
-        sum += pi * std::abs((light.direction * lamps.frame).z) * lobe_towards(lamps, light) * light.color *
-               visible;
-    return sum;
+    // Of a lamp behind the surface that is black.
+    const Vec3 plain = reflected_light(lamps.plain, lamps.normal, lamps.to_viewer, light, visible);
+    if (!lamps.finish) return plain;
+    const Vec3 l = light.direction * lamps.frame;
+    return plain + pi * std::abs(l.z) * evaluate(lamps.lobe, l, lamps.viewer) * light.color * visible;
 }
 
 Vec3 light_of_sky(const World& world, const Material& material, const Vec3& normal) {

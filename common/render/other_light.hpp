@@ -23,6 +23,7 @@ struct LampShading {
     std::optional<Finish> finish;  ///< here, if it is not the plain one
     Lobe lobe;                     ///< of that
     Mat3 frame;                    ///< in which it is asked
+    Vec3 viewer;                   ///< to_viewer in it
 };
 
 LampShading lamp_shading(const World& world, const Surface& surface, const Material& material,

@@ -93,6 +93,7 @@ void make_wide_pass(SampledPicture& picture, const Patterns& patterns, std::uint
         });
     }
     for (std::size_t i = 0; i < whole.size(); ++i) take(picture.pixels[i], color_of(whole[i]));
+    if (picture.is_watched.empty()) return;
     in_parallel(tiles.size(), picture.rays,
                 [&](std::size_t i) {
                     if (!watches(picture, i)) return;
@@ -116,10 +117,7 @@ SampledPicture::SampledPicture(const World& of, RayColor color_of_ray)
       tiles(tiles_of(of.view)),
       pixels(static_cast<std::size_t>(of.view.width) * static_cast<std::size_t>(of.view.height)) {}
 
-bool has_wide_filter(const SampledPicture& picture) {
-    const Filter& filter = picture.world.sampling.filter;
-    return filter.kind != FilterKind::Box || filter.radius != 0.5;
-}
+bool has_wide_filter(const SampledPicture& picture) { return !takes_its_own(picture.world.sampling.filter); }
 
 Tile in_picture(const SampledPicture& picture, const Tile& area) {
     const View& view = picture.world.view;

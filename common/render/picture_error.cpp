@@ -11,11 +11,6 @@ namespace {
 
 Real sum_of(const Vec3& v) { return v.x + v.y + v.z; }
 
-bool is_random(Sampler sampler) {
-    return sampler == Sampler::Random || sampler == Sampler::Jittered || sampler == Sampler::Poisson ||
-           sampler == Sampler::Sobol;
-}
-
 /// A second pattern that tells how wrong a first one is.
 struct Probe {
     int count;           ///< of its samples

@@ -41,7 +41,7 @@ std::vector<Snapshot> snapshots_of(const Scene& scene) {
     const bool shared = shares_samples(scene);
     const Sampler own = count == 1 ? Sampler::Regular : scene.sampling.sampler;
     const Patterns patterns = patterns_for(world, shared ? own : Sampler::Sobol, count);
-    // What each place asks of its own, all are asked together.
+    // Where each place would ask points of its own, a snapshot asks one point of each light, for all places.
     const LightSamples samples = shared ? scene.light_samples : LightSamples{.count = 1};
     Stream stream = stream_of(world, patterns, 0, 0, 0, count);
     std::vector<Snapshot> snapshots;

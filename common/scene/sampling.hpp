@@ -18,6 +18,12 @@ enum class Sampler {
     Sobol,      ///< scrambled points of a sequence that fills the square evenly, however many
 };
 
+/// Whether each pixel has samples of its own, by chance.
+constexpr bool is_random(Sampler sampler) {
+    return sampler == Sampler::Random || sampler == Sampler::Jittered || sampler == Sampler::Poisson ||
+           sampler == Sampler::Sobol;
+}
+
 /// How much a sample counts for a pixel, by its place relative to the pixel's centre.
 enum class FilterKind { Box, Tent, Gaussian, Mitchell };
 
@@ -26,6 +32,11 @@ struct Filter {
     FilterKind kind = FilterKind::Box;
     Real radius = 0.5;  ///< in pixels; the weight is 0 where |x| or |y| is greater
 };
+
+/// Whether a pixel takes the mean of its own samples, also of those on its edge, and of no others.
+inline bool takes_its_own(const Filter& filter) {
+    return filter.kind == FilterKind::Box && filter.radius == 0.5;
+}
 
 /// All that a scene says of the samples of its pixels.
 struct Sampling {

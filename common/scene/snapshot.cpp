@@ -3,6 +3,8 @@
 
 #include "common/scene/moves.hpp"
 
+#include <algorithm>
+
 namespace rt {
 namespace {
 
@@ -37,9 +39,7 @@ bool is_blurred(const Scene& scene) {
 }
 
 bool shares_samples(const Scene& scene) {
-    const Sampler sampler = scene.sampling.sampler;
-    if (sampler != Sampler::Regular && sampler != Sampler::Trapezoid && sampler != Sampler::Centered)
-        return false;
+    if (is_random(scene.sampling.sampler)) return false;
     if (scene.area_lights.empty() || !row_of(scene.integrator).area_lights) return true;
     return scene.light_samples.how == LightSampling::Area && scene.light_samples.all;
 }

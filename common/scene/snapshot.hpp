@@ -1,5 +1,5 @@
-// A blurred picture is the mean of still ones: exactly, if all pixels share their samples, of what one sample
-// of each sees.
+// A blurred picture is the mean of still ones. If all pixels share their samples it is exactly that: each
+// still is what one sample of every pixel sees.
 #pragma once
 
 #include "common/scene/scene.hpp"
@@ -31,12 +31,12 @@ struct Snapshot {
 bool is_blurred(const Scene& scene);
 
 /// Whether all pixels of a blurred scene share their samples, and all places the points of its lights. Then
-/// its picture is the weighed mean of as many snapshots as it has samples a pixel; else the mean of many
-/// snapshots at random is what its picture is but for their errors.
+/// its picture is the weighed mean of as many snapshots as it has samples a pixel; else it is the mean of
+/// many random snapshots, but for the errors of both.
 bool shares_samples(const Scene& scene);
 
-/// How many snapshots show a blurred scene: its samples if pixels share them, else 128, or so many fewer,
-/// down to 64, that no more than 4096 points of lights are asked. None of one that is not blurred.
+/// How many snapshots show a blurred scene: its samples if pixels share them, else 128, or fewer where that
+/// asks more than 4096 points of lights, but at least 64. None of one that is not blurred.
 int snapshot_count(const Scene& scene);
 
 /// The scene as it is at a time: objects and eye where they are then, and nothing that moves. Its lens and

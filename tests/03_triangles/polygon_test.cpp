@@ -244,7 +244,7 @@ TEST_CASE("a point belongs to exactly one of two polygons that share an edge", "
         REQUIRE(test::or_say((in_one != in_other) == point_in_polygon(quad, point),
                              std::string("the point is ") + (in_one ? "inside" : "outside") +
                                  " of one triangle, " + (in_other ? "inside" : "outside") +
-                                 " of the other, which does not fit to the whole"));
+                                 " of the other, which does not fit the whole"));
     }
 }
 

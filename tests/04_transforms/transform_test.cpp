@@ -46,11 +46,13 @@ void check_normal(const Mat4& back, const Vec3& normal, const Vec3& expected) {
 /// Where two matrices differ most.
 std::string worst_element(const Mat4& actual, const Mat4& expected) {
     int row = 0, column = 0;
+    const auto off = [&](int c, int r) {
+        const Real d = std::abs(actual[c][r] - expected[c][r]);
+        return std::isnan(d) ? infinity : d;
+    };
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 4; ++r)
-            if (!(std::abs(actual[c][r] - expected[c][r]) <=
-                  std::abs(actual[column][row] - expected[column][row])))
-                row = r, column = c;
+            if (off(c, r) > off(column, row)) row = r, column = c;
     return "row " + show(row + 1) + ", column " + show(column + 1) + " has " + show(actual[column][row]) +
            ", expected " + show(expected[column][row]);
 }

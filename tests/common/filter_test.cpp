@@ -138,7 +138,8 @@ TEST_CASE("what averaging blurs is stated with a filter wider than a pixel, too"
 TEST_CASE("where nothing is averaged there is no more to ask, and the same number of rays") {
     const auto counts = [](TextureFilter filter) { return horizon(filter, 4, 0).rays; };
     const RayCounts plain = counts(TextureFilter::Bilinear), averaged = counts(TextureFilter::Trilinear);
-    // 16 samples in 85 % of the 4800 pixels are asked again without averages, and so are their probes.
+    // The 4 samples of about 4096 of the 4800 pixels are asked again without averages, and so are their
+    // probes.
     CHECK(averaged.camera > plain.camera);
     Scene scene = horizon_scene(TextureFilter::Trilinear, 4, 0);
     for (Texturing& texturing : scene.texturings)

@@ -157,7 +157,7 @@ TEST_CASE("that a texture says how far rays spread is explained, and refused for
     CHECK(why_spread(tiles) == "");
     CHECK(why_spread("gloss 20\nspecular .5 .5 .5\n") == "some material is glossy, translucent or rough");
     CHECK(why_spread("gloss 20\n" + tiles) ==
-          "some material is glossy, translucent or rough, how much its texture says");
+          "some material is glossy, translucent or rough, and a texture says how much");
     const auto error = [](const std::string& text) {
         return test::error_of([&] {
             const Scene scene = scene_of(text + "sphere 0 0 0 1\n");

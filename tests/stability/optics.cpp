@@ -2,6 +2,7 @@
 #include "tests/stability/optics.hpp"
 
 #include "common/math/error.hpp"
+#include "tests/show.hpp"
 #include "tests/support.hpp"
 
 #include <algorithm>
@@ -122,10 +123,9 @@ void count(Verdict& verdict, const Case& item, Precise error, const std::string&
             verdict.worst_case = literal_of(item);
         }
     } else {
-        char times[32];
-        std::snprintf(times, sizeof times, "%.3g", static_cast<Real>(error));
+        const std::string times = test::show_size(static_cast<Real>(error));
         count_mismatch(verdict, literal_of(item) + "\n  answered: " + answer + ", " +
-                                    (error < 1e300 ? "off by " + std::string(times) + " times what is allowed"
+                                    (error < 1e300 ? "off by " + times + " times what is allowed"
                                                    : "which is wrong by any measure"));
     }
 }

@@ -1,8 +1,9 @@
 // What a judge says of a batch of answers, and the tally of a chapter.
 #include "tests/stability/verdict.hpp"
 
-#include <charconv>
-#include <cstdio>
+#include "tests/show.hpp"
+
+#include <cmath>
 #include <iostream>
 
 namespace rt::stability {
@@ -32,18 +33,16 @@ std::string describe(const Verdict& verdict) {
     if (verdict.mismatches > 0)
         return std::to_string(verdict.mismatches) + " of " + std::to_string(verdict.cases) +
                " cases are wrong; the plainest of them:\n  " + verdict.plainest_mismatch;
-    char demand[32];
-    std::snprintf(demand, sizeof demand, "%.3g", verdict.worst);
-    std::string text = std::to_string(verdict.cases) + " cases, none wrong, " +
-                       std::to_string(verdict.undecided) + " too close to call; greatest error: " + demand +
-                       " of what is allowed";
+    std::string text =
+        std::to_string(verdict.cases) + " cases, none wrong, " + std::to_string(verdict.undecided) +
+        " too close to call; greatest error: " + test::show_size(verdict.worst) + " of what is allowed";
     if (!verdict.worst_case.empty()) text += ", at\n  " + verdict.worst_case;
     return text;
 }
 
 std::string literal(Real x) {
-    char digits[32];
-    return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
+    if (x == 0 && std::signbit(x)) return "-0.0";
+    return test::show(x);
 }
 
 std::string literal(const Vec2& v) { return "{" + literal(v.x) + ", " + literal(v.y) + "}"; }

@@ -39,7 +39,7 @@ void remember(Verdict& verdict, Real error, Write write) {
     verdict.worst_case = write();
 }
 
-/// A few lines for a person: counts, worst case, first mismatch.
+/// A few lines for a person: counts, and the worst case or the plainest mismatch.
 std::string describe(const Verdict& verdict);
 
 /// A number, a vector, a ray or a shape as a C++ literal that is read back as the same numbers.

@@ -129,7 +129,7 @@ const CommandRow rows[] = {
     {{"textured", alternatives(textured_words) + " ...",
       "For the objects that follow: which numbers of the material a texture or a pattern multiplies. By its "
       "red channel, and kept in their ranges: `shininess`, the roughness of a `finish`, the index of the "
-      "`coat` of `finish coated`, `gloss` and `translucency`, 0 of which is a sharp mirror or glass, and the "
+      "`coat` of `finish coated`, `gloss` and `translucency` (at 0 a mirror or glass is sharp), and the "
       "`roughness` of `brdf ggx`. At first `textured ambient diffuse emission`.",
       "11"},
      set_textured},
