@@ -110,7 +110,8 @@ TEST_CASE("a wrong case and a scene that pays too much are problems, and what is
     CHECK(report_problems(some_data(0, 1011, false)).empty());
     const std::vector<std::string> problems = report_problems(some_data(2, 1011));
     REQUIRE(problems.size() == 2);
-    CHECK(problems[0].find("2 of 10000 cases are wrong; the first: Sphere{0x1.8p+0}") != std::string::npos);
+    CHECK(problems[0].find("2 of 10000 cases are wrong; the plainest: Sphere{0x1.8p+0}") !=
+          std::string::npos);
     CHECK(problems[1] == "a scene without shadow rays takes 1011 instructions; 1010 are allowed");
 }
 
