@@ -6,6 +6,7 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -159,8 +160,10 @@ Mat4 to_frame(const Scene& scene, const Object& object, const Formulas& formulas
     return glm::inverse(matrix_of(scene, object.transform) * formulas.frame);
 }
 
-/// Declares the frame's coordinates, once for an object.
+/// Declares the frame's coordinates, once for an object, which may have a picture and bumps.
 void write_own(Writer& out, const Mat4& m, std::size_t id) {
+    if (std::ranges::find(out.frames, id) != out.frames.end()) return;
+    out.frames.push_back(id);
     for (int row = 0; row < 3; ++row)
         out.line("#declare Own{}{} = function {{ {} * x + {} * y + {} * z + {} }}", "XYZ"[row], id,
                  number(m[0][row]), number(m[1][row]), number(m[2][row]), number(m[3][row]));

@@ -7,6 +7,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace rt::povray {
 
@@ -30,6 +31,7 @@ struct Writer {
     const Snapshot& snapshot;
     Real factor;  ///< of all the scene's lengths to what the author wrote, and so to the snapshot's
     std::string text{};
+    std::vector<std::size_t> frames{};  ///< objects whose own coordinates have been declared
 
     template <class... Args>
     void line(fmt::format_string<Args...> format, Args&&... args) {

@@ -363,6 +363,16 @@ TEST_CASE("a flat normal map changes nothing, and a normal that looks away is tu
     }
 }
 
+TEST_CASE("for POV-Ray an object with a picture and bumps declares its own coordinates once") {
+    write_image(with_picture() / "dark.png", make_image(2, 2), Encoding::Linear);
+    const Scene scene = scene_of(camera + "texture dark.png\nbumps .01 .1\nplane 0 -1 0  0 1 .2\n");
+    const std::string text = export_povray(scene);
+    INFO(text);
+    const std::string declared = "#declare OwnX0 = ";
+    REQUIRE(text.find(declared) != std::string::npos);
+    CHECK(text.find(declared) == text.rfind(declared));
+}
+
 TEST_CASE("of a normal map, 8 bits are numbers, even if the file is a texture as well") {
     Image grey = make_image(1, 1);
     grey.pixels[0] = Vec3(128 / 255.0);
