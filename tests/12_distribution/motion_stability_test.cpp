@@ -4,6 +4,7 @@
 
 #include "common/math/error.hpp"
 #include "common/math/exact.hpp"
+#include "tests/12_distribution/random_vectors.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
@@ -13,6 +14,7 @@
 using namespace rt;
 using test::cases;
 using test::near;
+using test::of_all_sizes;
 using test::Random;
 
 namespace {
@@ -64,16 +66,6 @@ Real some_part(Random& random) {
         default:
             return random.uniform(0, 1);
     }
-}
-
-/// A vector whose coordinates have sizes of their own; some are 0.
-Vec3 of_all_sizes(Random& random, Real least, Real greatest) {
-    Vec3 v;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Real size = random.magnitude(least, greatest);
-        v[axis] = random.index(6) == 0 ? 0 : random.sign() * size;
-    }
-    return v;
 }
 
 /// Sign of a + b − c, exactly.

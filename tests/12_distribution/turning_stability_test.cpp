@@ -2,6 +2,7 @@
 // center and far from the origin.
 #include "chapters/12_distribution/motion.hpp"
 #include "common/math/error.hpp"
+#include "tests/12_distribution/random_vectors.hpp"
 #include "tests/12_distribution/turned.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
@@ -13,19 +14,10 @@ using namespace rt;
 using test::cases;
 using test::Long;
 using test::Long3;
+using test::of_all_sizes;
 using test::Random;
 
 namespace {
-
-/// A vector whose coordinates have sizes of their own; some are 0.
-Vec3 of_all_sizes(Random& random, Real least, Real greatest) {
-    Vec3 v;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Real size = random.magnitude(least, greatest);
-        v[axis] = random.index(6) == 0 ? 0 : random.sign() * size;
-    }
-    return v;
-}
 
 /// Along an axis of the world, near one, or anywhere; of length 1 to some roundings.
 Vec3 some_axis(Random& random) {

@@ -7,6 +7,7 @@
 #include "common/scene/parse.hpp"
 #include "common/world/query.hpp"
 #include "tests/catch.hpp"
+#include "tests/pictures.hpp"
 #include "tests/support.hpp"
 
 #include <algorithm>
@@ -28,15 +29,21 @@ Image picture(const std::string& text) { return render(world_of(text)).image; }
 
 bool same(const Image& a, const Image& b) { return a.pixels == b.pixels; }
 
-/// Over pixels and channels.
-Real rms(const Image& a, const Image& b) {
-    Real sum = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const Vec3 off = a.pixels[i] - b.pixels[i];
-        sum += dot(off, off);
-    }
-    return std::sqrt(sum / (3 * static_cast<Real>(a.pixels.size())));
-}
+constexpr const char* things_of_all_kinds[] = {
+    "sphere .3 .5 0 .5\n",
+    "box -.5 0 -.5  .5 1 .5\n",
+    "disc 0 .5 0  0 .3 1  .6\n",
+    "cylinder 0 0 0  0 1 0 .4\n",
+    "cone 0 0 0 .5  0 1 0 0\n",
+    "torus 0 .5 0  0 1 .4  .5 .15\n",
+    "openCylinder 0 0 0  0 1 0 .4\n",
+    "vertex -1 0 0\nvertex 1 0 0\nvertex 0 1 .2\ntri 0 1 2\n",
+    "vertex -1 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex -1 1 0\npolygon 0 1 2 3\n",
+    ("vertexnormal -1 0 0 -1 0 1\nvertexnormal 1 0 0 1 0 1\nvertexnormal 0 1 0 0 1 1\n"
+     "trinormal 0 1 2\n"),
+    "intersection\nsphere 0 .5 0 .5\nbox -.4 0 -.4  .4 .9 .4\nend\n",
+    "quadric 1 2 3 0 0 0 0 -1 0 0  -1 -1 -1  1 2 1\n",
+    "translate 0 .5 0\nrotate 1 1 0 30\nscale .5 .3 .4\nsphere 0 0 0 1\n"};
 
 Vec3 center(const Image& image) { return pixel(image, image.width / 2, image.height / 2); }
 
@@ -60,7 +67,9 @@ TEST_CASE("what does not blur costs nothing and changes no bit", "[blur]") {
 TEST_CASE("a lens becomes a pinhole as it gets smaller", "[blur]") {
     const std::string regular = "spp 4\nsampler regular\n";
     const Image pinhole = picture(regular + things);
-    const auto off = [&](const char* lens) { return rms(picture(regular + lens + things), pinhole); };
+    const auto off = [&](const char* lens) {
+        return test::rms_difference(picture(regular + lens + things), pinhole);
+    };
     CHECK(off("lens .2 6\n") > 4 * off("lens .02 6\n"));
     CHECK(off("lens 1e-9 6\n") < 1e-6);
 }
@@ -80,16 +89,7 @@ TEST_CASE("a moving thing has the same bits in a grid and without", "[blur]") {
 TEST_CASE("moving things of all kinds are where they would stand at that time", "[blur]") {
     // At the time ½ each is where the same thing stands that does not move. A shutter that is open around
     // one instant only is one sample of `sampler regular`.
-    for (const char* thing :
-         {"sphere 0 .5 0 .5\n", "box -.5 0 -.5  .5 1 .5\n", "disc 0 .5 0  0 .3 1  .6\n",
-          "cylinder 0 0 0  0 1 0 .4\n", "cone 0 0 0 .5  0 1 0 0\n", "torus 0 .5 0  0 1 .4  .5 .15\n",
-          "openCylinder 0 0 0  0 1 0 .4\n", "vertex -1 0 0\nvertex 1 0 0\nvertex 0 1 .2\ntri 0 1 2\n",
-          "vertex -1 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex -1 1 0\npolygon 0 1 2 3\n",
-          "vertexnormal -1 0 0 -1 0 1\nvertexnormal 1 0 0 1 0 1\nvertexnormal 0 1 0 0 1 1\n"
-          "trinormal 0 1 2\n",
-          "intersection\nsphere 0 .5 0 .5\nbox -.4 0 -.4  .4 .9 .4\nend\n",
-          "pushTransform\ntranslate 0 .5 0\nrotate 1 1 0 30\nscale .5 .3 .4\nsphere 0 0 0 1\n"
-          "popTransform\n"}) {
+    for (const char* thing : things_of_all_kinds) {
         INFO(thing);
         const std::string lamp = "spp 1\nsampler regular\ndirectional 1 2 2  1 1 1\ndiffuse .8 .7 .6\n";
         const Image moving = picture(lamp + "motion .5 .25 -.5\n" + thing);
@@ -125,16 +125,7 @@ TEST_CASE("turning things have the same bits in a grid and without", "[blur]") {
 TEST_CASE("turning things of all kinds are where they would stand at that time", "[blur]") {
     // As above, but turned; half of the time is half of the turn.
     const std::string lamp = "spp 1\nsampler regular\ndirectional 1 2 2  1 1 1\ndiffuse .8 .7 .6\n";
-    for (const char* thing :
-         {"sphere .3 .5 0 .5\n", "box -.5 0 -.5  .5 1 .5\n", "disc 0 .5 0  0 .3 1  .6\n",
-          "cylinder 0 0 0  0 1 0 .4\n", "cone 0 0 0 .5  0 1 0 0\n", "torus 0 .5 0  0 1 .4  .5 .15\n",
-          "openCylinder 0 0 0  0 1 0 .4\n", "vertex -1 0 0\nvertex 1 0 0\nvertex 0 1 .2\ntri 0 1 2\n",
-          "vertex -1 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex -1 1 0\npolygon 0 1 2 3\n",
-          "vertexnormal -1 0 0 -1 0 1\nvertexnormal 1 0 0 1 0 1\nvertexnormal 0 1 0 0 1 1\n"
-          "trinormal 0 1 2\n",
-          "intersection\nsphere 0 .5 0 .5\nbox -.4 0 -.4  .4 .9 .4\nend\n",
-          "quadric 1 2 3 0 0 0 0 -1 0 0  -1 -1 -1  1 2 1\n",
-          "translate 0 .5 0\nrotate 1 1 0 30\nscale .5 .3 .4\nsphere 0 0 0 1\n"}) {
+    for (const char* thing : things_of_all_kinds) {
         INFO(thing);
         const auto scene = [&](const std::string& first, const std::string& second,
                                const std::string& inner) {
@@ -287,7 +278,7 @@ TEST_CASE("light from an area comes as often as it is asked for, and by either w
             mean += image.pixels[i], right += truth.pixels[i];
         // Of 77,000 samples each, which differ by up to three times their mean.
         CHECK(length(mean - right) < 0.05 * length(right));
-        CHECK(rms(image, truth) < 0.06);
+        CHECK(test::rms_difference(image, truth) < 0.06);
     }
 }
 
@@ -297,11 +288,12 @@ TEST_CASE("one sample a pixel is at random in all but its place", "[blur]") {
         "quadLight -.6 4 -.6  0 0 1.2  1.2 0 0  9 9 9\nambient 0 0 0\ndiffuse .8 .8 .8\n"
         "plane 0 0 0  0 1 0\nbox -.4 3 -.4  .4 3.1 .4\n";
     const Image middle = picture("sampler regular\n" + lit), soft = picture("spp 1024\n" + lit);
-    const Real one = rms(picture(lit), soft), many = rms(picture("lightsamples 64\n" + lit), soft);
+    const Real one = test::rms_difference(picture(lit), soft),
+               many = test::rms_difference(picture("lightsamples 64\n" + lit), soft);
     INFO("one shadow ray a pixel is wrong by " << one << ", 64 by " << many << ", the lamp's middle by "
-                                               << rms(middle, soft));
+                                               << test::rms_difference(middle, soft));
     CHECK(many < one / 2);
-    CHECK(many < rms(middle, soft) / 2);
+    CHECK(many < test::rms_difference(middle, soft) / 2);
     CHECK_FALSE(same(picture("lens .2 6\n" + lit), picture(lit)));
 }
 
@@ -315,7 +307,7 @@ TEST_CASE("the stated error is honest whatever blurs", "[blur]") {
             const RenderResult result =
                 render(world_of("spp 16\nsampler " + std::string(sampler) + "\n" + all));
             REQUIRE(result.rms_error);
-            const Real really = rms(result.image, truth);
+            const Real really = test::rms_difference(result.image, truth);
             INFO(camera << sampler << ": stated " << *result.rms_error << ", really " << really);
             CHECK(*result.rms_error > really / 1.5);
             CHECK(*result.rms_error < really * 1.5);

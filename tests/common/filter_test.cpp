@@ -4,6 +4,7 @@
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
+#include "tests/pictures.hpp"
 #include "tests/support.hpp"
 
 #include <algorithm>
@@ -25,16 +26,6 @@ Scene horizon_scene(TextureFilter filter, int samples, std::uint64_t seed) {
 
 RenderResult horizon(TextureFilter filter, int samples, std::uint64_t seed) {
     return render(compile(horizon_scene(filter, samples, seed)));
-}
-
-/// Over all pixels and channels.
-Real rms_difference(const Image& image, const Image& truth) {
-    Real squares = 0;
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        const Vec3 d = image.pixels[i] - truth.pixels[i];
-        squares += dot(d, d);
-    }
-    return std::sqrt(squares / (3 * static_cast<Real>(image.pixels.size())));
 }
 
 /// How the means of blocks of 10 × 10 pixels differ, all channels together.
@@ -74,7 +65,7 @@ TEST_CASE("bricks to the horizon, and in a mirror, are what very many samples of
         CHECK(off.greatest < 3e-3);
         // And the picture says how wrong it is: by what its samples do not agree on, and what the filter
         // blurs.
-        const Real error = rms_difference(seen.image, truth.image);
+        const Real error = test::rms_difference(seen.image, truth.image);
         REQUIRE(seen.rms_error);
         INFO("error " << error << ", by its own estimate " << *seen.rms_error);
         CHECK(*seen.rms_error < 1.2 * error);
@@ -90,7 +81,7 @@ TEST_CASE("pictures state what averaging textures blurs, however they are made")
     const RenderResult truth = horizon(TextureFilter::Bilinear, 256, 1'000'000);
     const auto judge = [&](const Scene& scene, const RenderOptions& options) {
         const RenderResult seen = render(compile(scene), options);
-        const Real error = rms_difference(seen.image, truth.image);
+        const Real error = test::rms_difference(seen.image, truth.image);
         REQUIRE(seen.rms_error);
         INFO("error " << error << ", by its own estimate " << *seen.rms_error << ", of "
                       << seen.samples_per_pixel << " samples a pixel");
@@ -127,7 +118,7 @@ TEST_CASE("what averaging blurs is stated with a filter wider than a pixel, too"
         RenderOptions how;
         if (passes) how.error = 0.002;
         const RenderResult seen = render(compile(with_tent(TextureFilter::Trilinear, 4, 5)), how);
-        const Real error = rms_difference(seen.image, truth);
+        const Real error = test::rms_difference(seen.image, truth);
         REQUIRE(seen.rms_error);
         INFO("error " << error << ", by its own estimate " << *seen.rms_error);
         CHECK(*seen.rms_error < 1.5 * error);

@@ -5,6 +5,7 @@
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
+#include "tests/pictures.hpp"
 #include "tests/support.hpp"
 #include "tests/worlds.hpp"
 
@@ -21,13 +22,6 @@ const std::string ball =
 
 RenderResult draw(const std::string& text, const RenderOptions& options = {}) {
     return render(test::world_of(text), options);
-}
-
-Real rms(const Image& a, const Image& b) {
-    Real sum = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        sum += dot(a.pixels[i] - b.pixels[i], a.pixels[i] - b.pixels[i]);
-    return std::sqrt(sum / static_cast<Real>(3 * a.pixels.size()));
 }
 
 bool same(const Image& a, const Image& b) { return a.pixels == b.pixels; }
@@ -113,7 +107,7 @@ TEST_CASE("samples of a pixel and passes have random numbers of their own", "[sa
         const Image image = draw(ball + more, options).image;
         Image grey = image;
         for (Vec3& color : grey.pixels) color = Vec3(0.5);
-        return rms(image, grey);
+        return test::rms_difference(image, grey);
     };
     RenderOptions options;
     options.color = [](const World&, const Ray&, Stream& stream) { return Vec3(next_real(stream)); };
@@ -194,7 +188,8 @@ TEST_CASE("the estimated error is the true one within a factor of 1.5", "[sample
         const RenderResult result = draw(ball + "spp 16\n" + more);
         REQUIRE(result.rms_error.has_value());
         const Real ratio =
-            rms(result.image, std::string(more).starts_with("filter") ? smooth : truth) / *result.rms_error;
+            test::rms_difference(result.image, std::string(more).starts_with("filter") ? smooth : truth) /
+            *result.rms_error;
         // Patterns that are not random have no independent ones to be compared with; in a small picture they
         // may be lucky, too. (The chapter's scenes are within 1.5: the tour.)
         const Sampler sampler = test::world_of(ball + more).sampling.sampler;
@@ -219,7 +214,7 @@ TEST_CASE("the pictures of chapter 8 are as wrong as they say, within a factor o
         scene.sampling.adaptive = false;
         const Image truth = render(compile(scene)).image;
         REQUIRE(result.rms_error.has_value());
-        const Real ratio = rms(result.image, truth) / *result.rms_error;
+        const Real ratio = test::rms_difference(result.image, truth) / *result.rms_error;
         CHECK(ratio < 1.5);
         CHECK(ratio > 1 / 1.5);
     }
@@ -237,7 +232,7 @@ TEST_CASE("--error is reached, by passes that are independent", "[sampled]") {
             CHECK(*result.rms_error <= wanted);
             // Where few samples are enough, one less may be far too few.
             if (result.samples_per_pixel >= 12) CHECK(*result.rms_error >= 0.9 * wanted);
-            const Real ratio = rms(result.image, truth) / *result.rms_error;
+            const Real ratio = test::rms_difference(result.image, truth) / *result.rms_error;
             CHECK(ratio < 1.5);
             CHECK(ratio > 1 / 1.5);
         }

@@ -1,6 +1,8 @@
 // A curve of error against samples and seconds: pictures of one scene by one way of sampling.
 #include "tests/report/curves.hpp"
 
+#include "tests/pictures.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -36,7 +38,7 @@ PicturePoint measure_point(Scene& scene, const Way& way, int count, const Image&
         const Sampling sampling{count, way.sampler, way.adaptive, {}, static_cast<std::uint64_t>(i)};
         const RenderResult timed = render_with(scene, sampling, drawn_only(1));
         seconds.push_back(timed.cpu_seconds);
-        errors.push_back(rmse(timed.image, truth));
+        errors.push_back(test::rms_difference(timed.image, truth));
         point.samples = timed.samples_per_pixel;
         point.rays += rays_of(timed) / repeats;
         if (count == 1 || !estimated) continue;

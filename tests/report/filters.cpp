@@ -3,6 +3,7 @@
 #include "tests/report/filters.hpp"
 
 #include "common/scene/parse.hpp"
+#include "tests/pictures.hpp"
 #include "tests/report/picture_errors.hpp"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ PicturePoint measure_point(Scene& scene, int count, const Image& truth, int repe
         const Sampling sampling{count, Sampler::Jittered, false, {}, static_cast<std::uint64_t>(i)};
         const RenderResult timed = render_with(scene, sampling, drawn_only(1));
         seconds.push_back(timed.cpu_seconds);
-        errors.push_back(rmse(timed.image, truth));
+        errors.push_back(test::rms_difference(timed.image, truth));
         point.samples = timed.samples_per_pixel;
     }
     point.seconds = median(seconds);

@@ -25,15 +25,6 @@ RenderResult render_with(Scene& scene, const Sampling& sampling, const RenderOpt
     return render(compile(scene), options);
 }
 
-double rmse(const Image& image, const Image& truth) {
-    double sum = 0;
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        const Vec3 off = image.pixels[i] - truth.pixels[i];
-        sum += dot(off, off);
-    }
-    return std::sqrt(sum / (3 * static_cast<double>(image.pixels.size())));
-}
-
 Truth converged(Scene& scene, int count, int renders, const Told& told) {
     std::vector<Image> images;
     for (int i = 0; i < renders; ++i) {

@@ -21,9 +21,6 @@ RenderOptions drawn_only(int threads);
 
 RenderResult render_with(Scene& scene, const Sampling& sampling, const RenderOptions& options);
 
-/// Root of the mean square of all pixels' and channels' differences.
-double rmse(const Image& image, const Image& truth);
-
 /// The mean of `renders` pictures of `count` jittered samples a pixel, and the standard error of that mean.
 Truth converged(Scene& scene, int count, int renders, const Told& told);
 

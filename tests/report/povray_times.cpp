@@ -4,6 +4,7 @@
 #include "common/image/file.hpp"
 #include "common/scene/parse.hpp"
 #include "common/terminal/process.hpp"
+#include "tests/pictures.hpp"
 #include "tests/report/curves.hpp"
 
 #include <fmt/core.h>
@@ -85,7 +86,7 @@ std::vector<PictureCurve> in_turns(const std::vector<CurveToDraw>& curves, const
                 // Ours is the first. What takes less than the start is no measurement of POV-Ray's drawing.
                 found[i][k].seconds.push_back(i == 0 ? drawn.seconds
                                                      : std::max(drawn.seconds - start, start / 10));
-                found[i][k].errors.push_back(rmse(drawn.image, truth.image));
+                found[i][k].errors.push_back(test::rms_difference(drawn.image, truth.image));
             }
     std::vector<PictureCurve> result;
     for (std::size_t i = 0; i < curves.size(); ++i) {
