@@ -125,11 +125,13 @@ TEST_CASE("the nearest of many triangles is, to the bit, the nearest of one at a
             triangles.clear();
             std::optional<Hit> expected;
             const Ray& ray = bundles.cases[bundle.first].ray;
-            for (std::size_t i = 0; i < bundle.count; ++i) {
+            for (std::size_t i = 0; i < bundle.count; ++i)
                 triangles.push_back(bundles.cases[bundle.first + i].triangle);
-                const std::optional<Hit> hit = intersect(triangles.back(), ray, Interval{});
-                if (!hit || (expected && expected->t <= hit->t)) continue;
-                expected = hit;
+            const auto hits = ask<std::optional<Hit>>(
+                triangles, [&](const Triangle& triangle) { return intersect(triangle, ray, Interval{}); });
+            for (std::size_t i = 0; i < hits.size(); ++i) {
+                if (!hits[i] || (expected && expected->t <= hits[i]->t)) continue;
+                expected = hits[i];
                 expected->primitive = static_cast<std::uint32_t>(i);
             }
             const std::optional<Hit> nearest = closest_hit(triangles, ray, Interval{});

@@ -3,6 +3,7 @@
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,13 +24,13 @@ TEST_CASE("cells far from the origin are right", "[11.6][stability]") {
             if (i % 2 != 0) corner[axis] += 0x1p32 * random.sign() * static_cast<Real>(random.index(1000));
             part[axis] = static_cast<Real>(random.index(4)) / 4;
         }
-        std::vector<Real> squares;
-        for (int n = 0; n < 343; ++n) {
+        std::vector<Real> squares(343);
+        test::together(squares.size(), [&](std::size_t cube) {
+            const int n = static_cast<int>(cube);
             const Vec3 steps(n % 7 - 3, n / 7 % 7 - 3, n / 49 - 3);
             const Vec3 from_here = cell_point(corner + steps) - part + steps;
-            squares.push_back(from_here.x * from_here.x + from_here.y * from_here.y +
-                              from_here.z * from_here.z);
-        }
+            squares[cube] = from_here.x * from_here.x + from_here.y * from_here.y + from_here.z * from_here.z;
+        });
         std::sort(squares.begin(), squares.end());
         const CellDistances actual = cell_distances(corner + part);
         INFO("cells at " << corner + part << "; first and second distance");

@@ -3,6 +3,7 @@
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,13 +28,14 @@ void check_distances(const Vec3& q, Real first, Real second, const Vec3& cell, R
 /// The distances to the points of all cubes up to three steps away, in order; `from` is in the cube at
 /// `corner`.
 std::vector<Real> sorted_distances(const Vec3& corner, const Vec3& from) {
-    std::vector<Real> distances;
-    for (int i = 0; i < 343; ++i) {
+    std::vector<Real> distances(343);
+    test::together(distances.size(), [&](std::size_t cube) {
+        const int i = static_cast<int>(cube);
         const Vec3 steps(i % 7 - 3, i / 7 % 7 - 3, i / 49 - 3);
         const Vec3 point = cell_point(corner + steps);
-        distances.push_back(
-            std::hypot(point.x - from.x + steps.x, point.y - from.y + steps.y, point.z - from.z + steps.z));
-    }
+        distances[cube] =
+            std::hypot(point.x - from.x + steps.x, point.y - from.y + steps.y, point.z - from.z + steps.z);
+    });
     std::sort(distances.begin(), distances.end());
     return distances;
 }

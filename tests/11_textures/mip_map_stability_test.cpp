@@ -4,6 +4,7 @@
 #include "tests/11_textures/texel_images.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,8 +30,11 @@ TEST_CASE("weights of halves are not negative, and each texel counts alike", "[1
         const int size = k < 200 ? 1 + k : 2 + static_cast<int>(random.magnitude(0, 4)),
                   m = std::max(1, size / 2);
         std::vector<Real> counts(static_cast<std::size_t>(size));
+        std::vector<std::array<Real, 3>> found(static_cast<std::size_t>(m));
+        test::together(found.size(),
+                       [&](std::size_t i) { found[i] = halving_weights(static_cast<int>(i), size); });
         for (int i = 0; i < m; ++i) {
-            const std::array<Real, 3> weights = halving_weights(i, size);
+            const std::array<Real, 3>& weights = found[static_cast<std::size_t>(i)];
             INFO("texel " << i << " of the half of " << size << ": weights " << weights[0] << ", "
                           << weights[1] << " and " << weights[2]);
             CHECK(near(weights[0] + weights[1] + weights[2], 1, gamma(8)));

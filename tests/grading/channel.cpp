@@ -7,6 +7,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
 #include <ctime>
 #include <stdexcept>
@@ -20,7 +21,9 @@ constexpr std::size_t page = 4096;
 constexpr std::size_t most = std::size_t{64} << 20;  // bytes of a message
 constexpr std::size_t part_size = page + most;
 constexpr std::size_t size = page + 2 * part_size;
-constexpr int spins = 2000;  // some 50 µs: being woken takes about as long where the core had nothing to do
+constexpr int most_spins =
+    2000;  // some 50 µs: being woken takes about as long where the core had nothing to do
+constexpr int try_again = 1024;  // messages after which spinning may help again
 
 struct Header {
     std::uint32_t kind = 0;
@@ -53,7 +56,7 @@ int Channel::make_file() {
     return file;
 }
 
-Channel::Channel(int file, Side one) : side(one) {
+Channel::Channel(int file, Side one) : side(one), spins(most_spins) {
     void* const mapped = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     if (mapped == MAP_FAILED)
         throw std::runtime_error(std::string("shared memory cannot be mapped: ") + std::strerror(errno));
@@ -81,8 +84,7 @@ void Channel::send(Kind kind, std::uint32_t number, std::span<const std::byte> b
 
 std::optional<Message> Channel::receive(const std::function<bool()>& goes_on) {
     const auto mine = static_cast<std::uint32_t>(side);
-    for (int i = 0; i < spins && control->turn.load(std::memory_order_acquire) != mine; ++i) pause_a_little();
-    if (control->turn.load(std::memory_order_acquire) != mine && !sleep_until_it_is(mine, goes_on)) return {};
+    if (!spin_until_it_is(mine) && !sleep_until_it_is(mine, goes_on)) return {};
 
     Header header;
     std::memcpy(&header, part(other(side)), sizeof header);
@@ -91,6 +93,19 @@ std::optional<Message> Channel::receive(const std::function<bool()>& goes_on) {
     const std::byte* const from = part(other(side)) + page;
     message.bytes.assign(from, from + count);
     return message;
+}
+
+bool Channel::spin_until_it_is(std::uint32_t mine) {
+    if (++received % try_again == 0) spins = most_spins;
+    for (int i = 0; i <= spins; ++i) {
+        if (control->turn.load(std::memory_order_acquire) == mine) {
+            spins = std::min(2 * spins + 1, most_spins);
+            return true;
+        }
+        pause_a_little();
+    }
+    spins /= 2;
+    return false;
 }
 
 bool Channel::sleep_until_it_is(std::uint32_t mine, const std::function<bool()>& goes_on) {

@@ -1,5 +1,6 @@
 // A judge and a worker take turns in memory that both share: each writes a message into its own part of it
-// and passes the turn. Whoever waits spins for some microseconds, then sleeps.
+// and passes the turn. Whoever waits spins for some microseconds, then sleeps: where spinning has not helped
+// of late, because others want the processors too, at once.
 #pragma once
 
 #include <atomic>
@@ -24,6 +25,8 @@ enum class Kind : std::uint32_t {
     Threw,     ///< another exception came out; then its text
     Callback,  ///< of function `number` among those that the last call was given; then its arguments
     Result,    ///< of the last callback
+    Calls,     ///< `number` calls; of each its number, its arguments' size and they
+    Answers,   ///< to the last calls, one after the other: each's kind, its size and what it would be alone
 };
 
 /// Added to the number of a call: what was sent before is forgotten.
@@ -57,11 +60,14 @@ public:
 private:
     struct Control;
     std::byte* part(Side whose) const;
+    bool spin_until_it_is(std::uint32_t mine);
     bool sleep_until_it_is(std::uint32_t mine, const std::function<bool()>& goes_on);
 
     std::byte* memory = nullptr;
     Control* control = nullptr;
     Side side;
+    int spins;         // that are worth trying
+    int received = 0;  // messages
 };
 
 }  // namespace rt::grading

@@ -11,8 +11,10 @@
 #include "common/sandbox/system_files.hpp"
 #include "common/terminal/core_time.hpp"
 #include "tests/catch.hpp"
+#include "tests/grading/together.hpp"
 #include "tests/own_options.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <fmt/format.h>
 
@@ -233,35 +235,97 @@ CATCH_TRANSLATE_EXCEPTION(const NoAnswer& error) {
 
 }  // namespace
 
-std::vector<std::byte> ask(std::uint32_t number, std::string_view name, std::span<const std::byte> arguments,
-                           const Callbacks& callbacks) {
-    const std::lock_guard lock(one_at_a_time);
+namespace {
+
+/// What came of a call: its result, or what it threw.
+std::vector<std::byte> outcome_of(Message&& message, std::string_view name) {
+    switch (message.kind) {
+        case Kind::Return:
+            return std::move(message.bytes);
+        case Kind::Missing:
+            throw NotImplemented(text_of(message));
+        case Kind::Refused:
+            throw InputError(text_of(message));
+        case Kind::Threw:
+            throw std::runtime_error(text_of(message));
+        default:
+            give_up(fmt::format("{} answered what there is not", name));
+    }
+}
+
+/// Puts the answers to calls where they belong. Throws BadBytes where they are none.
+void read_answers(const Message& message, std::span<Call* const> calls) {
+    Reader in(message.bytes);
+    for (Call* const call : calls) {
+        const auto kind = in.read<std::uint32_t>();
+        const std::span<const std::byte> bytes = in.take(in.read<std::uint64_t>());
+        call->answer = Message{static_cast<Kind>(kind), 0, {bytes.begin(), bytes.end()}};
+    }
+    if (!in.at_end()) throw BadBytes("too much");
+}
+
+/// Throws NoAnswer where there is no time left, or the function did not return once.
+void refuse_hopeless(std::uint32_t number, std::string_view name) {
     out_of_time = out_of_time || since_start.is_past(judge_seconds());
     if (out_of_time)
         throw NoAnswer("timed out",
                        fmt::format("the chapter's tests took longer than {:g} s", judge_seconds()));
     if (endless.contains(number))
         throw NoAnswer("timed out", fmt::format("{} did not return before, and {}", name, not_called_again));
+}
+
+std::uint32_t number_with_forget(std::uint32_t number) {
+    return std::exchange(worker->forgets, false) ? number | forget : number;
+}
+
+}  // namespace
+
+bool answer(std::span<Call* const> calls) {
+    const std::lock_guard lock(one_at_a_time);
+    try {
+        if (!worker) start_worker();
+        Writer out;
+        for (const Call* const call : calls) {
+            out(number_with_forget(call->number));
+            out(static_cast<std::uint64_t>(call->arguments.size()));
+            out.raw(call->arguments.data(), call->arguments.size());
+        }
+        worker->channel.send(Kind::Calls, static_cast<std::uint32_t>(calls.size()), out.bytes());
+        const Message message = wait_for_message(UINT32_MAX, "one of several calls");
+        if (message.kind != Kind::Answers) give_up("calls were not answered");
+        read_answers(message, calls);
+        forget_if_full();
+        return true;
+    } catch (const std::exception& error) {
+        // Which of them it was, and what happened, shows when they are asked for one by one. Where together
+        // they take longer than one may, they always are.
+        const auto* const none = dynamic_cast<const NoAnswer*>(&error);
+        if (none && none->how == "timed out") test::together_elsewhere = nullptr;
+        worker.reset();
+        for (Call* const call : calls) call->answer.reset();
+        return false;
+    }
+}
+
+std::optional<std::vector<std::byte>> ask(std::uint32_t number, std::string_view name,
+                                          std::span<const std::byte> arguments, const Callbacks& callbacks) {
+    const std::lock_guard lock(one_at_a_time);
+    refuse_hopeless(number, name);
+    if (is_together() && callbacks.empty()) {
+        Call call{number, {arguments.begin(), arguments.end()}, {}};
+        if (!answered_together(call)) return {};
+        return outcome_of(std::move(*call.answer), name);
+    }
+    answer_waiting();
     if (!worker) start_worker();
-    worker->channel.send(Kind::Call, worker->forgets ? number | forget : number, arguments);
-    worker->forgets = false;
+    worker->channel.send(Kind::Call, number_with_forget(number), arguments);
     for (;;) {
         Message message = wait_for_message(number, name);
-        switch (message.kind) {
-            case Kind::Return:
-                forget_if_full();
-                return std::move(message.bytes);
-            case Kind::Missing:
-                throw NotImplemented(text_of(message));
-            case Kind::Refused:
-                throw InputError(text_of(message));
-            case Kind::Threw:
-                throw std::runtime_error(text_of(message));
-            case Kind::Callback:
-                answer_callback(message, name, callbacks);
-                break;
-            default:
-                give_up(fmt::format("{} answered what there is not", name));
+        if (message.kind == Kind::Callback) {
+            answer_callback(message, name, callbacks);
+        } else {
+            forget_if_full();
+            return outcome_of(std::move(message), name);
         }
     }
 }

@@ -11,6 +11,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,9 +33,10 @@ using Callbacks = std::vector<std::function<void(Reader&, Writer&)>>;
 /// Calls function `number` of the worker's table (answers.cpp), starting a worker where none runs. `name` is
 /// for messages. Throws what the function threw: NotImplemented, InputError, std::runtime_error; and NoAnswer
 /// where it crashed, ended the program, took too long or returned nonsense. What the callbacks throw comes
-/// out of here, too.
-std::vector<std::byte> ask(std::uint32_t number, std::string_view name, std::span<const std::byte> arguments,
-                           const Callbacks& callbacks);
+/// out of here, too. No answer means that the call is to be asked for once more, with its arguments written
+/// anew: it was one of several (together.hpp) of which one ended the worker.
+std::optional<std::vector<std::byte>> ask(std::uint32_t number, std::string_view name,
+                                          std::span<const std::byte> arguments, const Callbacks& callbacks);
 
 /// The number by which the worker knows an argument that it was sent before, and whether it is new to it.
 struct Known {
@@ -184,11 +186,14 @@ void add_counts(Reader& in);
 /// Calls the function in the worker.
 template <class R, class... P>
 R call(std::uint32_t number, std::string_view name, P&&... argument) {
-    Outgoing outgoing;
-    (write_argument(outgoing, argument), ...);
-    const std::vector<std::byte> answer = ask(number, name, outgoing.out.bytes(), outgoing.callbacks);
+    std::optional<std::vector<std::byte>> answer;
+    while (!answer) {
+        Outgoing outgoing;
+        (write_argument(outgoing, argument), ...);
+        answer = ask(number, name, outgoing.out.bytes(), outgoing.callbacks);
+    }
     try {
-        Reader in(answer);
+        Reader in(*answer);
         add_counts(in);
         (read_back(in, argument), ...);
         if constexpr (std::is_void_v<R>) {

@@ -24,8 +24,15 @@ Message next_message() {
     return std::move(*message);
 }
 
-void send_text(Kind kind, std::string_view text) {
-    channel->send(kind, 0, std::as_bytes(std::span(text.data(), text.size())));
+/// What comes of a call: its result, or what it throws.
+struct Outcome {
+    Kind kind = Kind::Return;
+    std::vector<std::byte> bytes;
+};
+
+Outcome in_words(Kind kind, std::string_view text) {
+    const auto bytes = std::as_bytes(std::span(text.data(), text.size()));
+    return {kind, {bytes.begin(), bytes.end()}};
 }
 
 RayCounts minus(const RayCounts& a, const RayCounts& b) {
@@ -37,24 +44,44 @@ RayCounts minus(const RayCounts& a, const RayCounts& b) {
 RayCounts rays_told;
 SearchCounts searches_told;
 
-void answer(const Message& call) {
-    const std::uint32_t callbacks_outside = callbacks;
+Outcome outcome_of(std::uint32_t number, std::span<const std::byte> arguments) {
     try {
-        if ((call.number & forget) != 0) known_objects().clear();
-        Reader in(call.bytes);
+        if ((number & forget) != 0) known_objects().clear();
+        Reader in(arguments);
         Writer out;
         callbacks = 0;
-        answers[call.number & ~forget](in, out);
-        channel->send(Kind::Return, 0, out.bytes());
+        answers[number & ~forget](in, out);
+        const std::span<const std::byte> bytes = out.bytes();
+        return {Kind::Return, {bytes.begin(), bytes.end()}};
     } catch (const NotImplemented& error) {
-        send_text(Kind::Missing, error.step);
+        return in_words(Kind::Missing, error.step);
     } catch (const InputError& error) {
-        send_text(Kind::Refused, error.what());
+        return in_words(Kind::Refused, error.what());
     } catch (const std::exception& error) {
-        send_text(Kind::Threw, error.what());
+        return in_words(Kind::Threw, error.what());
     } catch (...) {
-        send_text(Kind::Threw, "an exception that is no std::exception");
+        return in_words(Kind::Threw, "an exception that is no std::exception");
     }
+}
+
+void answer_all(const Message& calls) {
+    Reader in(calls.bytes);
+    Writer out;
+    for (std::uint32_t i = 0; i < calls.number; ++i) {
+        const auto number = in.read<std::uint32_t>();
+        const Outcome outcome = outcome_of(number, in.take(in.read<std::uint64_t>()));
+        out(static_cast<std::uint32_t>(outcome.kind));
+        out(static_cast<std::uint64_t>(outcome.bytes.size()));
+        out.raw(outcome.bytes.data(), outcome.bytes.size());
+    }
+    channel->send(Kind::Answers, 0, out.bytes());
+}
+
+void answer(const Message& message) {
+    if (message.kind == Kind::Calls) return answer_all(message);
+    const std::uint32_t callbacks_outside = callbacks;
+    const Outcome outcome = outcome_of(message.number, message.bytes);
+    channel->send(outcome.kind, 0, outcome.bytes);
     callbacks = callbacks_outside;
 }
 

@@ -5,6 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/stability/verdict.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -20,9 +21,8 @@ inline std::size_t how_many(Tally& tally, int full) {
 /// All the answers of `method` to the cases, in order.
 template <class Answer, class Case, class Method>
 std::vector<Answer> ask(const std::vector<Case>& questions, Method method) {
-    std::vector<Answer> answers;
-    answers.reserve(questions.size());
-    for (const Case& question : questions) answers.push_back(method(question));
+    std::vector<Answer> answers(questions.size());
+    test::together(questions.size(), [&](std::size_t i) { answers[i] = method(questions[i]); });
     return answers;
 }
 

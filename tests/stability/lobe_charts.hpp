@@ -6,12 +6,14 @@
 #include "tests/chi_square.hpp"
 #include "tests/show.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -116,12 +118,16 @@ inline Chart bent_by_facets(Real width, const Vec3& v, Real ior_v, Real ior_l) {
 /// Integral of value(l) over the directions l of the chart, by the midpoint rule on n × n cells.
 template <class Value>
 auto sum_over(const Chart& chart, int n, Value value) {
-    decltype(value(Vec3(0)) * 1.0) sum(0);
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-            if (const auto p = chart.at((i + 0.5) / n, (j + 0.5) / n))
-                sum += value(p->direction) * (p->steradians / (Real(n) * n));
-    return sum;
+    using Term = decltype(value(Vec3(0)) * 1.0);
+    const auto row = static_cast<std::size_t>(n);
+    std::vector<Term> terms(row * row, Term(0));
+    together(terms.size(), [&](std::size_t cell) {
+        const Real a = (static_cast<Real>(cell / row) + 0.5) / n,
+                   b = (static_cast<Real>(cell % row) + 0.5) / n;
+        if (const auto p = chart.at(a, b))
+            terms[cell] = value(p->direction) * (p->steradians / (Real(n) * n));
+    });
+    return std::accumulate(terms.begin(), terms.end(), Term(0));
 }
 
 /// Pearson's χ² of samples, and the limit that right ones exceed once in ten million times.
@@ -167,19 +173,19 @@ SampleReport compare_samples(const std::vector<Chart>& charts, Draw draw, Pdf pd
     };
     Real all = mirrored;
     for (std::size_t c = 0; c < charts.size(); ++c)
-        for (int i = 0; i < side * fine; ++i)
-            for (int j = 0; j < side * fine; ++j) {
-                const ChartPoint patch = patch_of(charts[c], i, j, side * fine);
-                if (patch.steradians == 0) continue;
-                const Real part = pdf(patch.direction) * patch.steradians;
-                expected[cell_of(c, Vec2(i + 0.5, j + 0.5) / Real(side * fine))] += samples * part;
-                all += part;
-            }
+        together(std::size_t{side * fine} * side * fine, [&](std::size_t k) {
+            const int i = static_cast<int>(k) / (side * fine), j = static_cast<int>(k) % (side * fine);
+            const ChartPoint patch = patch_of(charts[c], i, j, side * fine);
+            if (patch.steradians == 0) return;
+            const Real part = pdf(patch.direction) * patch.steradians;
+            expected[cell_of(c, Vec2(i + 0.5, j + 0.5) / Real(side * fine))] += samples * part;
+            all += part;
+        });
     expected[cells] = samples * mirrored;
     expected[cells + 1] = samples * std::max(1 - all, Real(0));
     SampleReport report;
     Random random(seed);
-    for (int i = 0; i < samples; ++i) {
+    together(static_cast<std::size_t>(samples), [&](std::size_t) {
         const Real x = random.uniform(0, 1), y = random.uniform(0, 1), z = random.uniform(0, 1);
         const std::optional<LobeSample> drawn = draw(Vec3(x, y, z));
         std::size_t where = cells + 1;
@@ -192,7 +198,7 @@ SampleReport compare_samples(const std::vector<Chart>& charts, Draw draw, Pdf pd
             }
         if (is_stray) report.stray = show(drawn->to_light);
         ++found[where];
-    }
+    });
     Real few_expected = 0, few_found = 0, greatest = -1;
     const auto count = [&](Real f, Real e, const std::string& name, Real allowed = 0) {
         const Real off = std::max(std::abs(f - e) - allowed, Real(0)), term = off * off / e;

@@ -1,0 +1,22 @@
+// Jobs whose calls of the functions under test may be under way at the same time.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace rt::test {
+
+/// Does what `together` says in another way; empty where functions under test are called directly. Only the
+/// autograder's judges, whose calls are answered by another process, have one (tests/grading/together.cpp).
+inline void (*together_elsewhere)(std::size_t count, const std::function<void(std::size_t)>& job) = nullptr;
+
+/// Does job(0), job(1) and so on, `count` jobs. Each begins after the one before it has begun, but may wait
+/// in a call of a function under test until others have come to theirs: so no job uses what another has
+/// found, asserts or has an INFO. What a job throws comes out, of several that throw the first's.
+template <class Job>
+void together(std::size_t count, Job job) {
+    if (together_elsewhere) return together_elsewhere(count, job);
+    for (std::size_t i = 0; i < count; ++i) job(i);
+}
+
+}  // namespace rt::test
