@@ -228,8 +228,16 @@ expect "a render says whose code it used" 0 "your code for 99, solutions for the
 expect "or is told to use the solutions" 0 "solutions for all chapters" \
     ./course render references/$name/one.scene -o theirs.png --solutions
 cmp -s mine.png theirs.png || fail "both pictures are the same"
-expect "what is not started is named" 1 "needs step 01.[0-9] \(chapter 01, " \
+expect "what is not started is the solutions'" 0 "your code for 99, solutions for the rest" \
     ./course render references/$name/one.scene -o mine.png --mine
+start_again; set_step 99.1 'return 1 + n;'
+expect "and in a chapter that is half written, too" 0 "your code for 99.1, solutions for the rest" \
+    ./course trace references/$name/one.scene 8 6 --mine
+start_again
+expect "nothing is called the student's that is not begun" 0 "nothing of yours is begun" \
+    ./course trace references/$name/one.scene 8 6 --mine
+set_step 99.1 'return 1 + n;'; set_step 99.2 'return n + 2;'
+./course check 99 >/dev/null || fail "it passes again"
 
 # ------------------------------------------------------------------------------------- a build is erased
 
