@@ -161,7 +161,7 @@ std::vector<WrongStep> wrong_steps(const Chapter& chapter, const ChapterResult& 
     return wrong;
 }
 
-/// What is wrong at the worst pixel: "your normal (0, -0.8, 0.6), expected (0, 0.8, 0.6) – step 02.4".
+/// What is wrong at the worst pixel: "your normal is (0, -0.8, 0.6), expected (0, 0.8, 0.6) – step 02.4".
 std::string worst_in_words(const Project& project, const Chapter& chapter, const ChapterResult& result,
                            const Seen& seen) {
     const int x = seen.comparison.worst_x, y = seen.comparison.worst_y;

@@ -129,7 +129,7 @@ int run_against(const TraceCommand& command) {
         print_comparison(difference, mine, theirs, difference ? advice(*difference, wrong) : "");
         flush_output();
         say(is_empty(own) ? "nothing of yours is begun: both are the solutions'"
-                          : fmt::format("yours: your code for {}, solutions for the rest", in_words(own)));
+                          : fmt::format("your code for {}, solutions for the rest", in_words(own)));
     }
     return difference ? 1 : 0;
 }

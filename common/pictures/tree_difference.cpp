@@ -20,6 +20,8 @@ namespace {
 
 using Makers = std::vector<std::string>;
 
+constexpr const char* what_is_hit = "what is hit";
+
 /// Equal up to what another order of the same operations may change.
 bool same(const ordered_json& a, const ordered_json& b) {
     if (a.is_array() && b.is_array()) {
@@ -181,7 +183,7 @@ std::optional<TraceDifference> difference_of_ways(const ordered_json& rays, cons
     if (differ("weight")) return found("weight", "weight of the ray", scattered);
     const Makers hits = makers_of_hit(shape_of(b)) + makers_of_hit(shape_of(a)) + all_hits;
     if (differ("hit") || differ("line") || differ("shape"))
-        return difference_of_hits(a, b, i, {i, "what is hit", hit_in_words(a), hit_in_words(b), hits});
+        return difference_of_hits(a, b, i, {i, what_is_hit, hit_in_words(a), hit_in_words(b), hits});
     if (differ("primitive") || differ("t")) {
         const bool same_place = !differ("t");
         return difference_of_hits(
@@ -323,7 +325,9 @@ std::optional<std::string> step_to_look_at(const TraceDifference& difference,
 }
 
 std::string in_words(const TraceDifference& difference) {
-    return fmt::format("your {} {}, expected {}", difference.quantity, difference.mine, difference.theirs);
+    if (difference.quantity == what_is_hit)
+        return fmt::format("your ray hits {}, expected {}", difference.mine, difference.theirs);
+    return fmt::format("your {} is {}, expected {}", difference.quantity, difference.mine, difference.theirs);
 }
 
 }  // namespace rt

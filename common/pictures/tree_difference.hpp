@@ -42,7 +42,7 @@ struct WrongStep {
 std::optional<std::string> step_to_look_at(const TraceDifference& difference,
                                            std::span<const WrongStep> wrong);
 
-/// "your normal (0, -0.8, 0.6), expected (0, 0.8, 0.6)".
+/// "your normal is (0, -0.8, 0.6), expected (0, 0.8, 0.6)".
 std::string in_words(const TraceDifference& difference);
 
 }  // namespace rt

@@ -220,14 +220,14 @@ TEST_CASE("a hit that a grid has lost is followed to the cell") {
     const ordered_json right = {visit(0, {3}), visit(1, {3, 5}), visit(2, {8})};
     const auto skipped = difference_of_grids({visit(0, {3}), visit(2, {8})}, right);
     CHECK(in_words(skipped) ==
-          "your cell 2 of 3 on the way through the grid over the triangles (2, 0, 0), expected (1, 0, 0)");
+          "your cell 2 of 3 on the way through the grid over the triangles is (2, 0, 0), expected (1, 0, 0)");
     CHECK(look_at(skipped, grid_steps) == "09.6");
     const auto short_way = difference_of_grids({visit(0, {3}), visit(1, {3, 5})}, right);
     CHECK(in_words(short_way) ==
-          "your cell 3 of 3 on the way through the grid over the triangles none, expected (2, 0, 0)");
+          "your cell 3 of 3 on the way through the grid over the triangles is none, expected (2, 0, 0)");
     const auto unlisted = difference_of_grids({visit(0, {3}), visit(1, {5}), visit(2, {8})}, right);
     CHECK(in_words(unlisted) ==
-          "your content of cell (1, 0, 0) of the grid over the triangles 1 shape, expected 2 shapes");
+          "your content of cell (1, 0, 0) of the grid over the triangles is 1 shape, expected 2 shapes");
     CHECK(look_at(unlisted, grid_steps) == "09.4");
     // Where all cells are the same, it is not the grid.
     CHECK(difference_of_grids(right, right).quantity == "what is hit");
@@ -274,7 +274,8 @@ struct MistakeProgram {
 
 TEST_CASE("mistakes in whole programs: picture, pixel, quantity, step") {
     const std::vector<std::pair<MistakeProgram, std::string>> cases = {
-        {{"02.4_inward_normal", "02_spheres/inside.scene", {{"02.4", "sphere.cpp"}}}, "your normal"},
+        {{"02.3_only_the_near_root", "02_spheres/inside.scene", {{"02.3", "sphere.cpp"}}},
+         "your ray hits nothing"},
         {{"05.3_half_not_unit",
           "05_lighting/highlights.scene",
           {{"05.3", "lighting.cpp"}, {"05.5", "lighting.cpp"}}},
