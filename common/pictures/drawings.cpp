@@ -94,10 +94,10 @@ std::vector<DrawnPixel> dots(const Drawing& drawing, const std::vector<PixelSamp
 
 std::vector<DrawnPixel> regular(const Drawing& drawing) { return dots(drawing, regular_samples(16)); }
 std::vector<DrawnPixel> jittered(const Drawing& drawing) {
-    return dots(drawing, jittered_samples(16, Random(1)));
+    return dots(drawing, jittered_samples(16, random_for(1, 0, 0)));
 }
 std::vector<DrawnPixel> poisson(const Drawing& drawing) {
-    return dots(drawing, poisson_disk_samples(16, Random(1)).samples);
+    return dots(drawing, poisson_disk_samples(16, random_for(1, 0, 0)).samples);
 }
 std::vector<DrawnPixel> trapezoid(const Drawing& drawing) { return dots(drawing, trapezoid_samples(16)); }
 std::vector<DrawnPixel> centered(const Drawing& drawing) { return dots(drawing, centered_samples(17)); }

@@ -33,20 +33,19 @@ std::string_view kind_name(RayKind kind) {
 ordered_json to_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 std::string text(const Vec3& v) { return triple_of_tree(to_json(v)); }
 
-template <class... Use>
-struct Overloaded : Use... {
-    using Use::operator()...;
-};
-
 /// A number, or "infinity", which JSON has no number for.
 ordered_json to_json(Real x) { return std::isinf(x) ? ordered_json("infinity") : ordered_json(x); }
 
 std::string in_words(const AreaLight& light) {
     return std::visit(
-        Overloaded{[](const QuadLight& quad) { return "light with the corner " + text(quad.corner); },
-                   [](const DiscLight& disc) { return "round light at " + text(disc.center); },
-                   [](const SphereLight& sphere) { return "ball of light at " + text(sphere.center); },
-                   [](const TriangleLight& triangle) { return "light with the corner " + text(triangle.a); }},
+        [](const auto& shape) -> std::string {
+            if constexpr (requires { shape.center; })
+                return "light around " + text(shape.center);
+            else if constexpr (requires { shape.corner; })
+                return "light with the corner " + text(shape.corner);
+            else
+                return "light with the corner " + text(shape.a);
+        },
         light.shape);
 }
 

@@ -214,7 +214,11 @@ std::vector<ChapterResult> checked_results(const Project& project, const std::ve
     std::vector<const Chapter*> changed;
     for (const Chapter& chapter : chapters)
         if (!known_result(project, chapter).current) changed.push_back(&chapter);
-    if (!changed.empty()) check_chapters(project, changed, false);
+    if (!changed.empty()) {
+        say("Checking what has changed: chapter{} {}", changed.size() > 1 ? "s" : "",
+            in_words({changed, {}, {}}));
+        check_chapters(project, changed, false);
+    }
     return results_of(known_results(project, chapters));
 }
 

@@ -286,7 +286,8 @@ TEST_CASE("mistakes in whole programs: picture, pixel, quantity, step") {
          "your visible part of the "},
         {{"07.6_unweighted", "07_recursion/whitted.scene", {{"07.6", "radiance.cpp"}}},
          "your colour of the pixel"},
-        {{"09.1_diagonal_only", "09_grids/stadium.scene", {{"09.1", "bounds.cpp"}}}, "the grid over the "},
+        {{"09.1_diagonal_only", "04_transforms/ellipsoids.scene", {{"09.1", "bounds.cpp"}}},
+         "the grid over the "},
     };
     for (const auto& [mistake, words] : cases) {
         INFO(mistake.name);
