@@ -239,6 +239,18 @@ expect "nothing is called the student's that is not begun" 0 "nothing of yours i
 set_step 99.1 'return 1 + n;'; set_step 99.2 'return n + 2;'
 ./course check 99 >/dev/null || fail "it passes again"
 
+# ------------------------------------------------------------------------------------- a mistake is seen
+
+cp solutions/02_spheres/*.cpp chapters/02_spheres/
+build/bin/course-tool change "$COURSE_ROOT/tests/02_spheres/mistakes/02.3_only_the_near_root.mistake" \
+    solutions/02_spheres chapters/02_spheres/sphere.cpp
+expect "a failed step is drawn, and what is wrong is said" 1 \
+    "at pixel \(44, 26\): your ray hits nothing, expected the sphere of line [0-9]+ – step 02.3" ./course check 02.3
+[ -s build/pictures/02_spheres/02.3.png ] || fail "the picture is there"
+expect "its pixel is followed to the step" 1 "Look at step 02.3" \
+    ./course trace references/02_spheres/inside.scene 44 26 --size 80x60 --against solutions
+./course reset 02 >/dev/null
+
 # ------------------------------------------------------------------------------------- a build is erased
 
 # All but the program itself, so that it need not be built once more.
