@@ -70,7 +70,7 @@ Makers makers_of_surface(const std::string& shape) {
 }
 
 /// What makes hits of any shape: transforms, grids, motion.
-const Makers all_hits{"04", "09", "12.9", "12.21", "12.22"};
+const Makers all_hits{"04", "09", "12/motion.cpp"};
 
 /// The steps of the lobe of a finish.
 Makers makers_of_lobe(const ordered_json& ray) {
@@ -82,11 +82,12 @@ Makers makers_of_lobe(const ordered_json& ray) {
 /// Where a ray leads that a hit sends on.
 Makers makers_of_direction(const ordered_json& rays, const ordered_json& ray) {
     const std::string kind = ray["kind"];
-    if (kind == "camera") return {"01/camera.cpp", "12.6", "12.7"};
+    if (kind == "camera") return {"01/camera.cpp", "12/lens.cpp"};
     const ordered_json& parent = rays[ray["parent"].get<std::size_t>()];
     const bool is_mirrored = kind == "reflection";
-    if (parent.contains("facets")) return {"11.14", "11.15", "12.19"};
-    if (parent.contains(is_mirrored ? "gloss" : "translucency")) return {"12.16", "12.17", "12.19"};
+    if (parent.contains("facets")) return {"11.14", "11.15", "12/distributed.cpp"};
+    if (parent.contains(is_mirrored ? "gloss" : "translucency"))
+        return {"12/glossy.cpp", "12/distributed.cpp"};
     return {is_mirrored ? "07.1" : "07.2", "07.5"};
 }
 
@@ -178,7 +179,7 @@ std::optional<TraceDifference> difference_of_ways(const ordered_json& rays, cons
     if (differ("parent")) return found("parent", "ray that it comes from", Makers{"07.2"} + scattered);
     if (differ("origin"))
         return found("origin", "origin of the ray",
-                     is_camera ? Makers{"01/camera.cpp", "12.6", "12.7"} : Makers{"06.1", "07.5"});
+                     is_camera ? Makers{"01/camera.cpp", "12/lens.cpp"} : Makers{"06.1", "07.5"});
     if (differ("direction")) return found("direction", "direction of the ray", makers_of_direction(rays, b));
     if (differ("weight")) return found("weight", "weight of the ray", scattered);
     const Makers hits = makers_of_hit(shape_of(b)) + makers_of_hit(shape_of(a)) + all_hits;
@@ -310,7 +311,7 @@ std::optional<TraceDifference> first_difference(const ordered_json& mine, const 
                                colour_of_pixel,
                                text(mine["color"]) + how_summed(mine),
                                text(theirs["color"]),
-                               {"01.6", "07.6", "05.5", "06", "12.20"}};
+                               {"01.6", "07.6", "05.5", "06", "12/distributed.cpp"}};
     return std::nullopt;
 }
 
