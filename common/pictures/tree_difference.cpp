@@ -173,10 +173,10 @@ std::optional<TraceDifference> difference_of_ways(const ordered_json& rays, cons
         return TraceDifference{i, quantity, text(a.value(key, ordered_json())),
                                text(b.value(key, ordered_json())), makers};
     };
-    const Makers scattered{"07.3", "07.4", "07.5"};
+    const Makers scattered{"07.2", "07.3", "07.4", "07.5"};
     const bool is_camera = b["kind"] == "camera";
-    if (differ("kind")) return found("kind", "kind of ray", Makers{"07.2"} + scattered);
-    if (differ("parent")) return found("parent", "ray that it comes from", Makers{"07.2"} + scattered);
+    if (differ("kind")) return found("kind", "kind of ray", scattered);
+    if (differ("parent")) return found("parent", "ray that it comes from", scattered);
     if (differ("origin"))
         return found("origin", "origin of the ray",
                      is_camera ? Makers{"01/camera.cpp", "12/lens.cpp"} : Makers{"06.1", "07.5"});
@@ -275,7 +275,7 @@ std::string how_summed(const ordered_json& tree) {
     const auto is_extra = [&](const Vec3& v) {
         return length(v - extra) <= 1e-9 * (length(v) + length(extra));
     };
-    Vec3 left_out(0), unweighted(0);
+    Vec3 left_out(0), unweighted(0), all_unweighted(0);
     for (const ordered_json& ray : tree["rays"]) {
         const Vec3 local = vec(ray["local"]), weight = vec(ray.value("arriving_weight", ray["weight"]));
         const std::string what =
@@ -283,10 +283,12 @@ std::string how_summed(const ordered_json& tree) {
         if (is_extra(-weight * local)) return fmt::format(", as if {} were left out", what);
         if (is_extra(local - weight * local))
             return fmt::format(", as if {} counted in full, not by its weight", what);
+        all_unweighted += local - weight * local;
         if (ray["hit"].get<bool>()) continue;
         left_out -= weight * local;
         unweighted += local - weight * local;
     }
+    if (is_extra(all_unweighted)) return ", as if each ray counted in full, not by its weight";
     if (is_extra(left_out)) return ", as if rays that hit nothing were left out";
     if (is_extra(unweighted)) return ", as if rays that hit nothing counted in full, not by their weight";
     return "";

@@ -183,8 +183,13 @@ TEST_CASE("a sum that forgets a weight, or a ray, is told apart from other sums"
     mine["color"] = {0.5, 0.5, 0.5};
     CHECK(first_difference(mine, tree())->mine ==
           "(0.5, 0.5, 0.5), as if the reflection ray that hits the sphere of line 7 were left out");
+    mine["rays"].push_back(mine["rays"][1]);
+    ordered_json theirs = mine;
+    mine["color"] = {1.25, 1.25, 1.25};
+    CHECK(first_difference(mine, theirs)->mine ==
+          "(1.25, 1.25, 1.25), as if each ray counted in full, not by its weight");
     mine["color"] = {0.6, 0.6, 0.6};
-    CHECK(first_difference(mine, tree())->mine == "(0.6, 0.6, 0.6)");
+    CHECK(first_difference(mine, theirs)->mine == "(0.6, 0.6, 0.6)");
 }
 
 // ----------------------------------------------------------------------------------------------------- grids
