@@ -13,8 +13,8 @@ namespace rt {
 /// What of the student's this program is linked with, as "02, 03.1"; null if it is linked with none.
 const char* linked_chapters();
 
-/// Goes on as the program that is linked with this code of the student's, given the same arguments; returns if
-/// there is none. Throws InputError if it does not build.
+/// Goes on as the program that is linked with this code of the student's, given the same arguments; returns
+/// if there is none. Throws InputError if it does not build.
 void become_mine(const Project& project, const OwnCode& own, const std::vector<std::string>& arguments);
 
 /// Whose code the program runs that is linked now: "your code for 02, 03.1, solutions for the rest".

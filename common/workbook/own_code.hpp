@@ -12,7 +12,8 @@ namespace rt {
 
 struct OwnCode {
     std::vector<const Chapter*> whole;  ///< chapters whose exercises are used as they are
-    /// Files of other chapters, as "02_spheres/sphere.cpp", of which something is written: they are filled in.
+    /// Files of other chapters, as "02_spheres/sphere.cpp", of which something is written: they are filled
+    /// in.
     std::vector<std::string> filled;
     std::vector<std::string> steps;  ///< of those chapters, which are begun
 };
