@@ -4,7 +4,7 @@
 # arguments.
 function(course_changed_program target number)
     set(name ${name_${number}})
-    course_test_program(${target} tests_${number})
+    course_chapter_program(${target} tests_${number})
     set(files "")  # of the solution, those that are changed
     foreach(change IN LISTS ARGN)
         file(STRINGS ${change} line REGEX "^file " LIMIT_COUNT 1)

@@ -1,6 +1,6 @@
 // The main program of every test program: Catch2, and a report that a crash cannot take away.
 // Beside Catch2's own options: --quick (fewer random cases), --seed N (other random cases), --report FILE
-// (see below), and those of the program alone (tests/own_options.hpp).
+// (see below), and those of the program alone (tests/own_options.hpp), which may have other uses, too.
 #define COURSE_TEST_MAIN
 #include "common/math/printable.hpp"
 #include "common/math/todo.hpp"
@@ -146,6 +146,8 @@ int main(int argc, char** argv) {
     using namespace rt::test;
     // Whoever is started in the background, or by nohup, ignores some of these; tests send them to children.
     for (const int signal : {SIGINT, SIGHUP, SIGQUIT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_DFL);
+    for (const OtherUse* other : other_uses())
+        if (argc > 1 && other->name == argv[1]) return other->use({argv + 2, argv + argc});
     Catch::Session session;
     session.cli(
         session.cli() | options::Opt(quick)["--quick"]("fewer random cases, as in a student's check") |

@@ -1,4 +1,5 @@
-// Options of a test program of its own, beside those that all of them have (tests/main.cpp).
+// Options of a test program of its own, beside those that all of them have (tests/main.cpp), and what else it
+// may be used for.
 #pragma once
 
 #include <string>
@@ -19,5 +20,19 @@ struct OwnOption {
 
 /// All of this program.
 std::vector<OwnOption*>& own_options();
+
+/// What a program does instead of testing where its first argument is `name`: `use` gets the others, and its
+/// answer is the exit status. A variable at namespace scope.
+struct OtherUse {
+    OtherUse(std::string name, int (*use)(const std::vector<std::string>& arguments));
+    OtherUse(const OtherUse&) = delete;
+    OtherUse& operator=(const OtherUse&) = delete;
+
+    std::string name;
+    int (*use)(const std::vector<std::string>&);
+};
+
+/// All of this program.
+std::vector<OtherUse*>& other_uses();
 
 }  // namespace rt::test

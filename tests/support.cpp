@@ -32,6 +32,16 @@ OwnOption::OwnOption(std::string option, std::string value, std::string about)
     own_options().push_back(this);
 }
 
+std::vector<OtherUse*>& other_uses() {
+    static std::vector<OtherUse*> uses;
+    return uses;
+}
+
+OtherUse::OtherUse(std::string option, int (*what)(const std::vector<std::string>&))
+    : name(std::move(option)), use(what) {
+    other_uses().push_back(this);
+}
+
 int cases(int full) { return quick ? std::max(1, full / 10) : full; }
 
 std::string scratch_directory() {

@@ -1,17 +1,11 @@
 // `course check`: verdicts a step, the first failing message, the chapter's picture, the one next action.
 #include "common/workbook/check.hpp"
+#include "common/commands/chapter_pictures.hpp"
 #include "common/commands/commands.hpp"
-#include "common/commands/mine.hpp"
-#include "common/evidence/agreement.hpp"
-#include "common/image/compare.hpp"
-#include "common/image/file.hpp"
 #include "common/math/counted.hpp"
 #include "common/math/input_error.hpp"
-#include "common/scene/parse.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/json_text.hpp"
-#include "common/terminal/lock.hpp"
-#include "common/terminal/process.hpp"
 #include "common/workbook/result_text.hpp"
 #include "common/workbook/solutions.hpp"
 
@@ -23,12 +17,7 @@
 
 namespace rt {
 
-namespace fs = std::filesystem;
-
 namespace {
-
-// A picture that takes longer than this is not part of a verdict.
-constexpr double picture_seconds = 3;
 
 /// The chapters to check, each once, and the steps that were named; none if all are meant.
 struct Request {
@@ -99,45 +88,13 @@ void print_chapter(const Chapter& chapter, const ChapterResult& result) {
     }
 }
 
-/// The student's chapters that draw a picture: those that passed, without being checked again now; in a
-/// handout, where nothing takes the place of the others, all.
-std::vector<const Chapter*> drawing_chapters(const Project& project, const std::vector<Chapter>& chapters) {
-    std::vector<const Chapter*> mine = pointers_to(chapters);
-    if (has_solutions(project))
-        std::erase_if(mine, [&](const Chapter* chapter) {
-            const KnownResult known = known_result(project, *chapter);
-            return !known.current || !all_passed(known.result);
-        });
-    return mine;
-}
-
-/// Renders the chapter's picture with the student's chapters and says where it is, if that is quick.
-void show_picture(const Project& project, const std::vector<const Chapter*>& mine, const Chapter& chapter) {
-    if (chapter.scenes.empty()) return;
-    const fs::path scene = project.root / "references" / chapter.name / chapter.scenes.front();
-    const fs::path directory = project.build / "pictures" / chapter.name;
-    const fs::path raw = own_directory(project) / scene.stem().replace_extension(".pfm");
-    const fs::path picture = directory / scene.stem().replace_extension(".png");
-    fs::create_directories(directory);
-    if (!build_mine(project, mine).ok) return;
-
-    ProcessOptions options;
-    options.time_limit = picture_seconds;
-    options.environment = {{mine_variable, numbers_of(mine)}};
-    const ProcessResult rendered = run_process(
-        {program(project, "course_mine").string(), "render", scene.string(), "-o", raw.string(), "--quiet"},
-        options);
-    if (!succeeded(rendered)) return;
-    const Image image = read_image(raw);
-    write_image(picture, image, parse_scene(scene).encoding);
-    fs::remove(raw);
-    fmt::print("\nYour picture: {}\n", relative(project, picture));
-
-    const fs::path reference = fs::path(scene).replace_extension(".png");
-    if (!fs::exists(reference)) return;
-    const Comparison comparison = compare(image, read_image(reference));
-    fmt::print("{:.2f} % of its pixels equal POV-Ray's ({})\n",
-               100 * comparison.within16[static_cast<std::size_t>(gate_steps)], relative(project, reference));
+/// The picture of a chapter that has passed, or of the first step that has failed.
+void show_pictures(const Project& project, const Chapter& chapter, const ChapterResult& asked,
+                   const ChapterResult& all) {
+    if (all_passed(all)) return show_chapter_picture(project, chapter);
+    const auto failed = std::ranges::find(asked.steps, State::Failed, &StepResult::state);
+    if (failed != asked.steps.end() && all.build_error.empty())
+        show_failed_step(project, chapter, all, failed->id);
 }
 
 /// First what was asked for; if that has all passed, whatever comes next in the course.
@@ -175,9 +132,8 @@ int run_check(const CheckCommand& command) {
     flush_output();
     if (command.solutions) return good ? 0 : 1;
 
-    if (request.chapters.size() == 1 && all_passed(results.front())) {
-        show_picture(project, drawing_chapters(project, chapters), *request.chapters.front());
-    }
+    if (request.chapters.size() == 1)
+        show_pictures(project, *request.chapters.front(), asked.front(), results.front());
     fmt::print("\n{} {}\n", paint("Next:", Tone::Bold), next_after(project, chapters, request, results));
     return good ? 0 : 1;
 }

@@ -131,7 +131,7 @@ void add_render(CommandLine& line) {
         ->transform(whole_number(0, (1LL << 53) - 1));
     CLI::Option* solutions =
         sub->add_flag("--solutions", line.render.solutions, "with the solutions of all chapters");
-    sub->add_flag("--mine", line.render.mine, "with your code for all chapters, also where it does not pass")
+    sub->add_flag("--mine", line.render.mine, "by all that you have begun, whether it passes or not")
         ->excludes(solutions);
     sub->add_flag("--preview", line.render.preview, "show the picture in the terminal, too");
     sub->add_flag("--lenient", line.render.lenient, lenient_help);
@@ -173,9 +173,13 @@ void add_trace(CommandLine& line) {
     sub->add_option("y", line.trace.y, "the pixel's row, from 0 at the top")
         ->transform(whole_number(0, largest_side - 1))
         ->required();
+    sub->add_option("--size", line.trace.size, "WxH of the picture instead of the scene's");
     sub->add_flag("--lenient", line.trace.lenient, lenient_help);
+    CLI::Option* mine =
+        sub->add_flag("--mine", line.trace.mine, "by all that you have begun, whether it passes or not");
     sub->add_option("--against", line.trace.against,
-                    "solutions: your tree beside theirs, to the first difference");
+                    "solutions: your tree beside theirs, to the first difference")
+        ->excludes(mine);
 }
 
 void add_export(CommandLine& line) {

@@ -92,6 +92,8 @@ struct TraceCommand {
     int x = 0;            ///< pixel's column, from the left
     int y = 0;            ///< pixel's row, from the top
     std::string against;  ///< "solutions": the student's tree beside the solutions'; or empty
+    std::string size;     ///< WxH: of the picture instead of the scene's; or empty
+    bool mine = false;    ///< by the student's code, as far as it is begun
     bool lenient = false;
     bool json = false;
     std::vector<std::string> arguments;  ///< as of RenderCommand

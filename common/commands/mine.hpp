@@ -3,21 +3,22 @@
 #pragma once
 
 #include "common/terminal/project.hpp"
-#include "common/workbook/catalogue.hpp"
+#include "common/workbook/own_code.hpp"
 
 #include <string>
 #include <vector>
 
 namespace rt {
 
-/// The numbers of the student's chapters that this program is linked with, as "02, 03"; null if it is linked
-/// with none.
+/// What of the student's this program is linked with, as "02, 03.1"; null if it is linked with none.
 const char* linked_chapters();
 
-/// Goes on as the program that is linked with these of the student's chapters, given the same arguments;
-/// returns if there are none. Throws std::runtime_error if they do not build.
-void become_mine(const Project& project, const std::vector<const Chapter*>& mine,
-                 const std::vector<std::string>& arguments);
+/// Goes on as the program that is linked with this code of the student's, given the same arguments; returns
+/// if there is none. Throws InputError if it does not build.
+void become_mine(const Project& project, const OwnCode& own, const std::vector<std::string>& arguments);
+
+/// Whose code the program runs that is linked now: "your code for 02, 03.1, solutions for the rest".
+std::string whose_code();
 
 /// In a handout, where nothing else can draw, goes on as the program that is linked with all of the student's
 /// chapters; returns elsewhere, and in that program.

@@ -22,8 +22,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
-#include <limits>
 
 namespace rt {
 
@@ -42,26 +40,6 @@ void set_integrator(Scene& scene, const std::string& name) {
     scene.visibility = chosen->visibility;
 }
 
-/// The width and height in "640x480".
-std::pair<int, int> size_from(const std::string& text) {
-    int width = 0, height = 0;
-    const char* end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, width);
-    const bool cross =
-        first.ec == std::errc() && first.ptr != end && (*first.ptr == 'x' || *first.ptr == 'X');
-    const auto second = cross ? std::from_chars(first.ptr + 1, end, height) : first;
-    const bool whole = cross && second.ec == std::errc() && second.ptr == end;
-    if (!whole || width < 1 || height < 1 || width > largest_side || height > largest_side)
-        throw InputError(
-            fmt::format("--size: '{}' is not a size; expected width and height from 1 to {}, such as "
-                        "640x480",
-                        text, largest_side));
-    if (const long long pixels = static_cast<long long>(width) * height; pixels > most_pixels)
-        throw InputError(
-            fmt::format("--size: '{}' is {} pixels; at most {} are possible", text, pixels, most_pixels));
-    return {width, height};
-}
-
 /// Where the picture goes; throws before any work if it is of no kind that can be written.
 fs::path output_of(const RenderCommand& command, const Scene& scene, std::vector<std::string>& warnings) {
     if (command.output.empty()) return picture_of(scene, warnings);
@@ -71,22 +49,16 @@ fs::path output_of(const RenderCommand& command, const Scene& scene, std::vector
     return command.output;
 }
 
-/// Goes on with the student's chapters, those that pass or all, if there are any to use; else returns. In a
-/// handout, where nothing takes the place of the others, these are all.
+/// Goes on with the student's code if there is any to use, else returns: chapters that pass, or all that is
+/// begun. In a handout, where nothing takes the place of the others, these are all chapters.
 void use_mine(const RenderCommand& command) {
     const Project project = this_project();
     const std::vector<Chapter> chapters = read_catalogue(project);
     const bool all = command.mine || !has_solutions(project);
-    become_mine(project, all ? pointers_to(chapters) : passing_chapters(project, chapters),
-                command.arguments);
-}
-
-/// Whose code has drawn, for the line below a picture.
-std::string whose_code() {
-    const char* linked = linked_chapters();
-    if (!linked) return "solutions for all chapters";
-    return has_solutions(this_project()) ? fmt::format("your code for {}, solutions for the rest", linked)
-                                         : "your code";
+    const OwnCode own =
+        all ? own_code(project, chapters) : OwnCode{passing_chapters(project, chapters), {}, {}};
+    if (command.mine && is_empty(own)) say("nothing of yours is begun: the solutions draw all of it");
+    become_mine(project, own, command.arguments);
 }
 
 std::uint64_t all_rays(const RayCounts& rays) {
@@ -103,7 +75,7 @@ std::string sampling_of(const RenderResult& result) {
 
 /// What the command line says instead of the scene.
 void change(Scene& scene, const RenderCommand& command) {
-    if (!command.size.empty()) std::tie(scene.width, scene.height) = size_from(command.size);
+    if (!command.size.empty()) set_size(scene, command.size);
     if (!command.integrator.empty()) set_integrator(scene, command.integrator);
     if (command.samples) scene.sampling.count = *command.samples;
     if (command.seed) scene.sampling.seed = *command.seed;

@@ -3,6 +3,7 @@
 
 #include "chapters/01_ray_casting/camera.hpp"
 #include "common/math/input_error.hpp"
+#include "common/pictures/grid_walk.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/integrators.hpp"
 #include "common/render/patterns.hpp"
@@ -21,22 +22,48 @@ using nlohmann::ordered_json;
 
 namespace {
 
+/// Only of so many rays of a tree the cells are told: a ray may meet hundreds.
+constexpr std::size_t most_walks = 100;
+
 std::string_view kind_name(RayKind kind) {
     if (kind == RayKind::Reflection) return "reflection";
     return kind == RayKind::Refraction ? "refraction" : "camera";
 }
 
 ordered_json to_json(const Vec3& v) { return {v.x, v.y, v.z}; }
+std::string text(const Vec3& v) { return triple_of_tree(to_json(v)); }
 
 /// A number, or "infinity", which JSON has no number for.
 ordered_json to_json(Real x) { return std::isinf(x) ? ordered_json("infinity") : ordered_json(x); }
 
-ordered_json to_json(const LightRecord& light) {
-    ordered_json json = {{"direction", to_json(light.sample.direction)},
-                         {"distance", to_json(light.sample.distance)},
-                         {"color", to_json(light.sample.color)},
-                         {"visible", to_json(light.visible)},
-                         {"contribution", to_json(light.contribution)}};
+std::string in_words(const AreaLight& light) {
+    return std::visit(
+        [](const auto& shape) -> std::string {
+            if constexpr (requires { shape.center; })
+                return "light around " + text(shape.center);
+            else if constexpr (requires { shape.corner; })
+                return "light with the corner " + text(shape.corner);
+            else
+                return "light with the corner " + text(shape.a);
+        },
+        light.shape);
+}
+
+/// The light with this number of the world (LightRecord), by what tells it from the others.
+std::string light_in_words(const World& world, std::size_t number) {
+    if (number < world.point_lights.size())
+        return "point light at " + text(world.point_lights[number].position);
+    number -= world.point_lights.size();
+    if (number < world.directional_lights.size())
+        return "light from the direction " + text(world.directional_lights[number].direction);
+    return in_words(world.area_lights.lights[number - world.directional_lights.size()]);
+}
+
+ordered_json to_json(const World& world, const LightRecord& light) {
+    ordered_json json = {
+        {"light", light_in_words(world, light.light)}, {"direction", to_json(light.sample.direction)},
+        {"distance", to_json(light.sample.distance)},  {"color", to_json(light.sample.color)},
+        {"visible", to_json(light.visible)},           {"contribution", to_json(light.contribution)}};
     if (light.lobe) json["lobe"] = to_json(*light.lobe);
     return json;
 }
@@ -84,7 +111,7 @@ ordered_json to_json(const Scene& scene, const World& world, const TraceRecord& 
         json["arriving_weight"] = to_json(record.weight);
         add_spreading(world, record, json);
         json["lights"] = ordered_json::array();
-        for (const LightRecord& light : record.lights) json["lights"].push_back(to_json(light));
+        for (const LightRecord& light : record.lights) json["lights"].push_back(to_json(world, light));
     }
     json["local"] = to_json(record.local);
     return json;
@@ -120,6 +147,8 @@ ordered_json ray_tree(const Scene& scene, int x, int y) {
     for (const TraceRecord& record : tree) {
         color += record.weight * record.local;
         rays.push_back(to_json(scene, world, record));
+        if (world.needs.accelerators && rays.size() <= most_walks)
+            rays.back()["grids"] = walks_of(world, record.branch.ray);
     }
     return {{"scene", scene.file},
             {"x", x},

@@ -15,8 +15,9 @@ inline constexpr std::size_t most_rays = 10'000;
 
 /// The rays through the middle of pixel (x, y) of a scene, which `course trace --json` prints:
 /// {"scene","x","y", "color","tree_color","complete","rays":[…]}, where a ray says where it comes from, what
-/// it hits and what light arrives there. Where rays draw random numbers each sample has a tree of its own: it
-/// is that of the pixel's first one. Throws InputError if the picture has no such pixel.
+/// it hits, what light arrives there, and by which cells of which grids it goes. Where rays draw random
+/// numbers each sample has a tree of its own: it is that of the pixel's first one. Throws InputError if the
+/// picture has no such pixel.
 nlohmann::ordered_json ray_tree(const Scene& scene, int x, int y);
 
 /// Ray `index` of the list "rays" on standard output, indented by its depth.

@@ -19,6 +19,7 @@ constexpr std::size_t most_levels = 16;
 }  // namespace
 
 std::string number_of_tree(const ordered_json& x) {
+    if (x.is_null()) return "NaN";  // JSON has no number for it
     return x.is_string() ? x.get<std::string>() : fmt::format("{:.6g}", x.get<Real>());
 }
 std::string triple_of_tree(const ordered_json& v) {
@@ -43,6 +44,14 @@ void print_spreading(const ordered_json& ray, const std::string& indent) {
         fmt::print("{}  light from the sky adds {}\n", indent, triple_of_tree(ray["skylight"]));
 }
 
+/// How many cells of which grids the ray goes through.
+void print_walks(const ordered_json& ray, const std::string& indent) {
+    if (!ray.contains("grids")) return;
+    for (const ordered_json& grid : ray["grids"])
+        fmt::print("{}  goes through {} of the grid over the {}\n", indent,
+                   counted(grid["visits"].size(), "cell"), grid["of"].get<std::string>());
+}
+
 }  // namespace
 
 void print_ray(const ordered_json& rays, std::size_t index) {
@@ -54,6 +63,7 @@ void print_ray(const ordered_json& rays, std::size_t index) {
                depth > most_levels ? fmt::format(" of depth {}", depth) : "", triple_of_tree(ray["weight"]));
     fmt::print("{}  from {} towards {}\n", indent, triple_of_tree(ray["origin"]),
                triple_of_tree(ray["direction"]));
+    print_walks(ray, indent);
     if (!ray["hit"].get<bool>()) {
         fmt::print("{}  hits nothing: background {}\n", indent, triple_of_tree(ray["local"]));
         return;
@@ -65,9 +75,9 @@ void print_ray(const ordered_json& rays, std::size_t index) {
         fmt::print("{}  weight after absorption {}\n", indent, triple_of_tree(ray["arriving_weight"]));
     print_spreading(ray, indent);
     for (const ordered_json& light : ray["lights"])
-        fmt::print("{}  light at distance {}, {} arriving, {} of it visible{}: adds {}\n", indent,
-                   number_of_tree(light["distance"]), triple_of_tree(light["color"]),
-                   triple_of_tree(light["visible"]),
+        fmt::print("{}  {}: at distance {}, {} arriving, {} of it visible{}: adds {}\n", indent,
+                   light["light"].get<std::string>(), number_of_tree(light["distance"]),
+                   triple_of_tree(light["color"]), triple_of_tree(light["visible"]),
                    light.contains("lobe") ? fmt::format(", lobe {}", triple_of_tree(light["lobe"])) : "",
                    triple_of_tree(light["contribution"]));
     fmt::print("{}  radiance here {}\n", indent, triple_of_tree(ray["local"]));

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdlib>
 
 namespace rt {
@@ -49,6 +50,26 @@ Scene read_scene(const fs::path& file, bool lenient) {
     if (!std::getenv(mine_variable))
         for (const std::string& warning : warnings) say(warning);
     return scene;
+}
+
+void set_size(Scene& scene, const std::string& text) {
+    int width = 0, height = 0;
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, width);
+    const bool cross =
+        first.ec == std::errc() && first.ptr != end && (*first.ptr == 'x' || *first.ptr == 'X');
+    const auto second = cross ? std::from_chars(first.ptr + 1, end, height) : first;
+    const bool whole = cross && second.ec == std::errc() && second.ptr == end;
+    if (!whole || width < 1 || height < 1 || width > largest_side || height > largest_side)
+        throw InputError(
+            fmt::format("--size: '{}' is not a size; expected width and height from 1 to {}, such as "
+                        "640x480",
+                        text, largest_side));
+    if (const long long pixels = static_cast<long long>(width) * height; pixels > most_pixels)
+        throw InputError(
+            fmt::format("--size: '{}' is {} pixels; at most {} are possible", text, pixels, most_pixels));
+    scene.width = width;
+    scene.height = height;
 }
 
 bool is_picture(const fs::path& file) {

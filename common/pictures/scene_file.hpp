@@ -20,6 +20,10 @@ Scene read_scene(const std::filesystem::path& file, bool lenient);
 /// current one only. Throws InputError with the scene's line where there cannot be such a file.
 std::filesystem::path picture_of(const Scene& scene, std::vector<std::string>& warnings);
 
+/// The size that `--size` asks for, such as "640x480", instead of the scene's. Throws InputError for another
+/// text.
+void set_size(Scene& scene, const std::string& text);
+
 /// Whether pictures of this name can be written: it ends in .png, .pfm or .hdr, in any case.
 bool is_picture(const std::filesystem::path& file);
 

@@ -12,20 +12,56 @@
 namespace rt {
 namespace {
 
-/// Writes down which part of the local light each light gives: `visit_all(normal, visit)` calls `visit` for
-/// each in front of that normal.
-template <class VisitAll>
-void write_lights(const World& world, const Material& material, TraceRecord& record,
-                  const VisitAll& visit_all) {
-    const LampShading lamps =
-        lamp_shading(world, record.surface, material, record.normal, -record.branch.ray.direction);
+/// Calls visit(number of the light, LightSample, visible part) for each light without an extent in front of
+/// the surface, in the world's order.
+template <class Visit>
+void visit_numbered_lamps(const LightAsked& at, const Visit& visit) {
+    std::uint32_t number = 0;
+    const auto ask = [&](const LightSample& light) {
+        if (dot(at.normal, light.direction) > 0) visit(number, light, visible_part(at, light, 0));
+        ++number;
+    };
+    for (const PointLight& light : at.world.point_lights) ask(sample_light(light, at.surface.point));
+    for (const DirectionalLight& light : at.world.directional_lights)
+        ask(sample_light(light, at.surface.point));
+}
+
+/// Likewise for the points of area lights that the stream chooses, as `visit_area_lights` does.
+template <class Visit>
+void visit_numbered_area_lights(const LightAsked& at, Stream& stream, const Visit& visit) {
+    const AreaLights& all = at.world.area_lights;
+    const std::size_t before = at.world.point_lights.size() + at.world.directional_lights.size();
+    const auto ask = [&](std::size_t i, Real probability) {
+        const auto number = static_cast<std::uint32_t>(before + i);
+        visit_area_light(
+            at, all.lights[i], probability, stream,
+            [&](const LightSample& light, const Vec3& visible) { visit(number, light, visible); });
+    };
+    if (all.chances.empty()) {
+        for (std::size_t i = 0; i < all.lights.size(); ++i) ask(i, 1);
+        return;
+    }
+    const Choice choice = choose(all.chances, next_real(stream));
+    ask(choice.index, choice.probability);
+}
+
+/// Writes down which part of the local light each light gives. Area lights are asked by the numbers of
+/// `stream`, if there is one.
+void write_lights(const World& world, const Material& material, TraceRecord& record, Stream* stream) {
+    const Ray& ray = record.branch.ray;
+    const LampShading lamps = lamp_shading(world, record.surface, material, record.normal, -ray.direction);
     record.finish = lamps.finish;
-    const auto write = [&](const LightSample& sample, const Vec3& visible) {
-        record.lights.push_back({sample, visible, sent_on(lamps, sample, visible), std::nullopt});
+    const auto write = [&](std::uint32_t number, const LightSample& sample, const Vec3& visible) {
+        record.lights.push_back({number, sample, visible, sent_on(lamps, sample, visible), std::nullopt});
         if (lamps.finish) record.lights.back().lobe = lobe_towards(lamps, sample);
     };
-    visit_all(record.normal, write);
-    if (shines_through(lamps)) visit_all(-record.normal, write);
+    const auto ask_all = [&](const Vec3& side) {
+        const LightAsked asked{world, record.surface, side, ray.time};
+        visit_numbered_lamps(asked, write);
+        if (stream) visit_numbered_area_lights(asked, *stream, write);
+    };
+    ask_all(record.normal);
+    if (shines_through(lamps)) ask_all(-record.normal);
 }
 
 /// Writes down what is seen at the hit by the numbers of a stream, or what the area light shows that is hit.
@@ -42,12 +78,7 @@ void shade_by_sample(const World& world, const Material& material, TraceRecord& 
     record.spread = {world.needs.reflection ? gloss_of(world, material, false) : 0,
                      world.needs.refraction ? gloss_of(world, material, true) : 0,
                      facet_alpha(world, material)};
-    if (!world.needs.lights) return;
-    write_lights(world, material, record, [&](const Vec3& side, const auto& visit) {
-        const LightAsked asked{world, record.surface, side, ray.time};
-        visit_lamps(asked, visit);
-        visit_area_lights(asked, again, visit);
-    });
+    if (world.needs.lights) write_lights(world, material, record, &again);
 }
 
 /// Writes down what is seen at the hit; the surface's material. Without a stream nothing is random.
@@ -65,9 +96,7 @@ Material shade(const World& world, TraceRecord& record, Stream* stream) {
     record.skylight = light_of_sky(world, material, record.normal);
     record.local = material.ambient + material.emission + record.skylight;
     if (!world.needs.lights) return material;
-    write_lights(world, material, record, [&](const Vec3& side, const auto& visit) {
-        visit_lights(world, record.surface, side, visit);
-    });
+    write_lights(world, material, record, nullptr);
     for (const LightRecord& light : record.lights) record.local += light.contribution;
     return material;
 }

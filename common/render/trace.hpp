@@ -14,6 +14,7 @@ namespace rt {
 
 /// What one light gave to one hit.
 struct LightRecord {
+    std::uint32_t light = 0;  ///< its number in the world: point lights, directional ones, area lights
     LightSample sample;
     Vec3 visible{1};           ///< which part of it arrived
     Vec3 contribution{0};      ///< to the radiance at the hit, before the ray's weight

@@ -40,7 +40,7 @@ bool has_exercise(const fs::path& root, const Chapter& chapter, const std::strin
 }
 
 Step read_step(const JsonValue& entry, const Chapter& chapter, const fs::path& root) {
-    entry.only({"id", "title", "file", "points", "hints"});
+    entry.only({"id", "title", "file", "points", "picture", "hints"});
     Step step;
     const JsonValue id = entry.at("id");
     step.id = id.text();
@@ -54,6 +54,9 @@ Step read_step(const JsonValue& entry, const Chapter& chapter, const fs::path& r
     if (!has_exercise(root, chapter, step.file))
         entry.at("file").fail(fmt::format("there is no '{}' beside this file", step.file));
     step.points = static_cast<int>(entry.at("points").whole(1, 1000));
+    if (entry.has("picture")) step.picture = some_text(entry.at("picture"));
+    if (step.picture.ends_with(".scene") && !fs::exists(root / "references" / chapter.name / step.picture))
+        entry.at("picture").fail(fmt::format("there is no references/{}/{}", chapter.name, step.picture));
     step.hints = texts(entry.at("hints"));
     if (step.hints.size() < 3)
         entry.at("hints").fail(fmt::format("expected at least 3, not {}", step.hints.size()));

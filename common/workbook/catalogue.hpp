@@ -14,6 +14,8 @@ struct Step {
     std::string title;
     std::string file;  ///< of the exercise, in the chapter's directory
     int points = 0;
+    std::string picture;  ///< that shows it best: one of the chapter's scenes or a drawing (common/pictures);
+                          ///< or empty
     std::vector<std::string> hints;  ///< at least three, from a nudge to nearly the answer
 };
 

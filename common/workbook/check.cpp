@@ -210,41 +210,50 @@ std::vector<ChapterResult> check_chapters(const Project& project, const std::vec
     return results;
 }
 
-std::vector<const Chapter*> passing_chapters(const Project& project, const std::vector<Chapter>& chapters) {
+std::vector<ChapterResult> checked_results(const Project& project, const std::vector<Chapter>& chapters) {
     std::vector<const Chapter*> changed;
     for (const Chapter& chapter : chapters)
         if (!known_result(project, chapter).current) changed.push_back(&chapter);
-    if (!changed.empty()) check_chapters(project, changed, false);
+    if (!changed.empty()) {
+        say("Checking what has changed: chapter{} {}", changed.size() > 1 ? "s" : "",
+            in_words({changed, {}, {}}));
+        check_chapters(project, changed, false);
+    }
+    return results_of(known_results(project, chapters));
+}
 
+std::vector<const Chapter*> passing_chapters(const Project& project, const std::vector<Chapter>& chapters) {
+    const std::vector<ChapterResult> results = checked_results(project, chapters);
     std::vector<const Chapter*> passing;
-    for (const Chapter& chapter : chapters)
-        if (all_passed(known_result(project, chapter).result)) passing.push_back(&chapter);
+    for (std::size_t i = 0; i < chapters.size(); ++i)
+        if (all_passed(results[i])) passing.push_back(&chapters[i]);
     return passing;
 }
 
-BuildResult build_mine(const Project& project, const std::vector<const Chapter*>& chapters) {
-    for (const Chapter* chapter : chapters)
+BuildResult build_mine(const Project& project, const OwnCode& own) {
+    std::string numbers;
+    for (const Chapter* chapter : own.whole) {
         if (const std::string missing = missing_message(project, *chapter); !missing.empty())
             return {false, missing, ""};
-    const std::string label = "Building with your chapters";
+        numbers += (numbers.empty() ? "" : ";") + chapter->number;
+    }
+    const std::string label = "Building with your code for " + in_words(own);
     const Lock lock(build_lock(project), label);
-    std::string wanted;
-    for (const Chapter* chapter : chapters) wanted += (wanted.empty() ? "" : ";") + chapter->number;
-    std::string linked;
-    for (const std::string& line : split_lines(read_file(project.build / "CMakeCache.txt")))
+    write_filled(project, own);
+    const std::string filled = fmt::format("{}", fmt::join(own.filled, ";"));
+    std::string linked, linked_files;
+    for (const std::string& line : split_lines(read_file(project.build / "CMakeCache.txt"))) {
         if (line.starts_with("COURSE_MINE:")) linked = line.substr(line.find('=') + 1);
-    if (linked != wanted) {
-        const ProcessResult result =
-            run_process({"cmake", "-DCOURSE_MINE=" + wanted, project.build.string()}, for_cmake(project));
+        if (line.starts_with("COURSE_FILLED:")) linked_files = line.substr(line.find('=') + 1);
+    }
+    if (linked != numbers || linked_files != filled) {
+        say("{}", label);  // whatever else is said comes some seconds later
+        const ProcessResult result = run_process(
+            {"cmake", "-DCOURSE_MINE=" + numbers, "-DCOURSE_FILLED=" + filled, project.build.string()},
+            for_cmake(project));
         if (!succeeded(result)) return {false, printable(first_error(project, result.output)), result.output};
     }
     return build_locked(project, {"course_mine"}, label);
-}
-
-std::string numbers_of(const std::vector<const Chapter*>& chapters) {
-    std::vector<std::string> numbers;
-    for (const Chapter* chapter : chapters) numbers.push_back(chapter->number);
-    return fmt::format("{}", fmt::join(numbers, ", "));
 }
 
 }  // namespace rt

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/terminal/process.hpp"
+#include "common/workbook/own_code.hpp"
 #include "common/workbook/results.hpp"
 
 #include <filesystem>
@@ -49,16 +50,16 @@ ChapterResult judge_program(const Project& project, const Chapter& chapter, cons
 std::vector<ChapterResult> check_chapters(const Project& project, const std::vector<const Chapter*>& chapters,
                                           bool solutions);
 
-/// Chapters whose steps have all passed; those that changed since they were checked are checked again.
+/// What is known of all these chapters, after those that changed since they were checked are checked again.
+std::vector<ChapterResult> checked_results(const Project& project, const std::vector<Chapter>& chapters);
+
+/// Chapters whose steps have all passed, of those results.
 std::vector<const Chapter*> passing_chapters(const Project& project, const std::vector<Chapter>& chapters);
 
-/// Builds the program course_mine with these exercises in place of the solutions.
-BuildResult build_mine(const Project& project, const std::vector<const Chapter*>& chapters);
+/// Builds the program course_mine with this code in place of the solutions.
+BuildResult build_mine(const Project& project, const OwnCode& own);
 
-/// The program that builds with the given exercises tells itself so in this variable, as "02, 03".
+/// The program that builds with the student's code tells itself so in this variable, in_words(OwnCode).
 inline constexpr const char* mine_variable = "COURSE_MINE_LINKED";
-
-/// "02, 03".
-std::string numbers_of(const std::vector<const Chapter*>& chapters);
 
 }  // namespace rt

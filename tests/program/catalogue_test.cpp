@@ -105,14 +105,16 @@ TEST_CASE("step numbers are of their chapter, and each once") {
 TEST_CASE("files that are named must exist") {
     CHECK_THAT(error_of(with("x.cpp", "sphere.cpp")),
                Catch::EndsWith("6:46: steps/0/file: there is no 'sphere.cpp' beside this file"));
+    CHECK_THAT(error_of(with("\"points\": 10", "\"points\": 10, \"picture\": \"two.scene\"")),
+               Catch::EndsWith("steps/0/picture: there is no references/02_spheres/two.scene"));
     CHECK_THAT(error_of(with("\"one.scene\"", "\"one.scene\", \"two.scene\"")),
                Catch::EndsWith("9:27: scenes/1: there is no references/02_spheres/two.scene"));
 }
 
 TEST_CASE("a key that nobody reads is refused") {
-    CHECK_THAT(
-        error_of(with("\"points\": 10", "\"point\": 10")),
-        Catch::Contains("6:64: steps/0/point: is not known; there are id, title, file, points, hints"));
+    CHECK_THAT(error_of(with("\"points\": 10", "\"point\": 10")),
+               Catch::Contains(
+                   "6:64: steps/0/point: is not known; there are id, title, file, points, picture, hints"));
 }
 
 TEST_CASE("chapters and steps are found as people write them") {

@@ -228,8 +228,28 @@ expect "a render says whose code it used" 0 "your code for 99, solutions for the
 expect "or is told to use the solutions" 0 "solutions for all chapters" \
     ./course render references/$name/one.scene -o theirs.png --solutions
 cmp -s mine.png theirs.png || fail "both pictures are the same"
-expect "what is not started is named" 1 "needs step 01.[0-9] \(chapter 01, " \
+expect "what is not started is the solutions'" 0 "your code for 99, solutions for the rest" \
     ./course render references/$name/one.scene -o mine.png --mine
+start_again; set_step 99.1 'return 1 + n;'
+expect "and in a chapter that is half written, too" 0 "your code for 99.1, solutions for the rest" \
+    ./course trace references/$name/one.scene 8 6 --mine
+start_again
+expect "nothing is called the student's that is not begun" 0 "nothing of yours is begun" \
+    ./course trace references/$name/one.scene 8 6 --mine
+set_step 99.1 'return 1 + n;'; set_step 99.2 'return n + 2;'
+./course check 99 >/dev/null || fail "it passes again"
+
+# ------------------------------------------------------------------------------------- a mistake is seen
+
+cp solutions/02_spheres/*.cpp chapters/02_spheres/
+build/bin/course-tool change "$COURSE_ROOT/tests/02_spheres/mistakes/02.3_only_the_near_root.mistake" \
+    solutions/02_spheres chapters/02_spheres/sphere.cpp
+expect "a failed step is drawn, and what is wrong is said" 1 \
+    "at pixel \(44, 26\): your ray hits nothing, expected the sphere of line [0-9]+ – step 02.3" ./course check 02.3
+[ -s build/pictures/02_spheres/02.3.png ] || fail "the picture is there"
+expect "its pixel is followed to the step" 1 "Look at step 02.3" \
+    ./course trace references/02_spheres/inside.scene 44 26 --size 80x60 --against solutions
+./course reset 02 >/dev/null
 
 # ------------------------------------------------------------------------------------- a build is erased
 

@@ -1,0 +1,235 @@
+// What `course check` shows of a chapter: its picture, or one in which a mistake can be seen.
+#include "common/commands/chapter_pictures.hpp"
+
+#include "common/evidence/agreement.hpp"
+#include "common/image/compare.hpp"
+#include "common/image/file.hpp"
+#include "common/image/in_terminal.hpp"
+#include "common/math/stopwatch.hpp"
+#include "common/pictures/drawings.hpp"
+#include "common/pictures/step_picture.hpp"
+#include "common/pictures/tree_difference.hpp"
+#include "common/scene/parse.hpp"
+#include "common/terminal/console.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/terminal/lock.hpp"
+#include "common/terminal/process.hpp"
+#include "common/workbook/solutions.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <optional>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+// A picture that takes longer than this is not part of a verdict.
+constexpr double picture_seconds = 3;
+// So long mistakes are looked for in pictures, and so long one picture may take.
+constexpr double all_seconds = 1, one_second = 1;
+// What shows a mistake is so many times smaller than the chapter's pictures, if that will do.
+constexpr int times_smaller = 4;
+
+/// Runs the program that has tested the chapter with these arguments; whether it did what it was asked for.
+bool ask_code(const Project& project, const Chapter& chapter, std::vector<std::string> arguments,
+              double seconds) {
+    arguments.insert(arguments.begin(), program(project, "check_" + chapter.number).string());
+    ProcessOptions options;
+    options.time_limit = seconds;
+    return succeeded(run_process(arguments, options));
+}
+
+std::vector<std::string> words_of(const Shown& shown) {
+    return {shown.what, std::to_string(shown.width), std::to_string(shown.height)};
+}
+
+/// What the student's code draws; nothing if it does not come to its end.
+std::optional<Image> drawn(const Project& project, const Chapter& chapter, const Shown& shown,
+                           double seconds) {
+    const fs::path file = own_directory(project) / "shown.pfm";
+    std::vector<std::string> arguments = words_of(shown);
+    arguments.insert(arguments.begin(), "--picture");
+    arguments.push_back(file.string());
+    if (!ask_code(project, chapter, arguments, seconds)) return std::nullopt;
+    return read_image(file);
+}
+
+/// What is behind a pixel of that picture, by the student's code.
+std::optional<ordered_json> behind(const Project& project, const Chapter& chapter, const Shown& shown, int x,
+                                   int y) {
+    const fs::path file = own_directory(project) / "pixel.json";
+    std::vector<std::string> arguments = words_of(shown);
+    arguments.insert(arguments.begin(), "--pixel");
+    arguments.insert(arguments.end(), {std::to_string(x), std::to_string(y), file.string()});
+    if (!ask_code(project, chapter, arguments, one_second)) return std::nullopt;
+    const ordered_json json = read_ordered_json(read_file(file));
+    return json.is_discarded() ? std::nullopt : std::optional(json);
+}
+
+fs::path scene_path(const Project& project, const Chapter& chapter, const std::string& name) {
+    return project.root / "references" / chapter.name / name;
+}
+
+/// The scene's picture in this part of its size.
+Shown small(const fs::path& scene, int part) {
+    const Scene read = parse_scene(scene);
+    return {scene.string(), std::max(1, read.width / part), std::max(1, read.height / part)};
+}
+
+/// What may show a mistake in a step, the best first: its own picture, small and large, then all of the
+/// chapter's. In a handout there is only POV-Ray's picture to compare with.
+std::vector<Shown> pictures_of(const Project& project, const Chapter& chapter, const Step& step) {
+    std::vector<Shown> pictures;
+    const bool is_scene = step.picture.ends_with(".scene");
+    const int part = has_solutions(project) ? times_smaller : 1;
+    if (is_scene) pictures.push_back(small(scene_path(project, chapter, step.picture), part));
+    if (!step.picture.empty() && !is_scene && has_solutions(project)) pictures.push_back({step.picture});
+    for (const std::string& name : chapter.scenes)
+        if (name != step.picture) pictures.push_back(small(scene_path(project, chapter, name), part));
+    if (is_scene && part > 1) pictures.push_back(small(scene_path(project, chapter, step.picture), 1));
+    return pictures;
+}
+
+/// The picture as it should be.
+std::optional<Image> expected(const Project& project, const Shown& shown) {
+    if (has_solutions(project)) return step_picture(shown);
+    const fs::path reference = fs::path(shown.what).replace_extension(".png");
+    return fs::exists(reference) ? std::optional(read_image(reference)) : std::nullopt;
+}
+
+/// Both pictures, and how they differ.
+struct Seen {
+    Shown shown;
+    Image mine, theirs;
+    Comparison comparison;
+};
+
+/// Whether somebody who looks at them sees a difference. POV-Ray's picture differs at silhouettes, too.
+bool is_seen(const Project& project, const Comparison& comparison) {
+    return comparison.within[1] < (has_solutions(project) ? 1 : same_share);
+}
+
+std::optional<Seen> first_seen(const Project& project, const Chapter& chapter, const Step& step) {
+    const Stopwatch watch;
+    for (const Shown& shown : pictures_of(project, chapter, step)) {
+        if (watch.seconds() > all_seconds) break;
+        std::optional<Image> mine = drawn(project, chapter, shown, one_second);
+        std::optional<Image> theirs = mine ? expected(project, shown) : std::nullopt;
+        if (!theirs) continue;
+        const Comparison comparison = compare(*mine, *theirs);
+        if (is_seen(project, comparison))
+            return Seen{shown, std::move(*mine), std::move(*theirs), comparison};
+    }
+    return std::nullopt;
+}
+
+/// Pictures of one size side by side, each pixel as a square of `size` pixels, with a gap between.
+Image in_a_row(const std::vector<Image>& images, int size) {
+    const int gap = 2 * size, width = images.front().width * size, height = images.front().height * size;
+    const int count = static_cast<int>(images.size());
+    Image row = make_image(count * width + (count - 1) * gap, height);
+    for (int i = 0; i < count; ++i)
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                pixel(row, i * (width + gap) + x, y) =
+                    pixel(images[static_cast<std::size_t>(i)], x / size, y / size);
+    return row;
+}
+
+bool shows_true_colors() {
+    const char* colors = std::getenv("COLORTERM");
+    const std::string_view known = colors ? colors : "";
+    return has_color(stdout) && (known == "truecolor" || known == "24bit");
+}
+
+std::string color_in_words(const Image& image, int x, int y) {
+    const Vec3& color = pixel(image, x, y);
+    return fmt::format("({:.4g}, {:.4g}, {:.4g})", color.x, color.y, color.z);
+}
+
+/// The steps of the chapter that failed: all that can be wrong in a program that is linked with the solutions
+/// of the others.
+std::vector<WrongStep> wrong_steps(const Chapter& chapter, const ChapterResult& result) {
+    std::vector<WrongStep> wrong;
+    for (const StepResult& step : result.steps)
+        if (step.state == State::Failed) wrong.push_back({step.id, step_of(chapter, step.id).file});
+    return wrong;
+}
+
+/// What is wrong at the worst pixel: "your normal is (0, -0.8, 0.6), expected (0, 0.8, 0.6) – step 02.4".
+std::string worst_in_words(const Project& project, const Chapter& chapter, const ChapterResult& result,
+                           const Seen& seen) {
+    const int x = seen.comparison.worst_x, y = seen.comparison.worst_y;
+    const std::string colors = fmt::format("your colour {}, expected {}", color_in_words(seen.mine, x, y),
+                                           color_in_words(seen.theirs, x, y));
+    const std::optional<ordered_json> mine =
+        has_solutions(project) ? behind(project, chapter, seen.shown, x, y) : std::nullopt;
+    if (!mine) return colors;
+    const ordered_json theirs = step_pixel(seen.shown, x, y);
+    if (drawing_named(seen.shown.what))
+        return fmt::format("{}: yours says {}, expected {}", theirs["place"].get<std::string>(),
+                           (*mine)["answer"].get<std::string>(), theirs["answer"].get<std::string>());
+    const std::optional<TraceDifference> difference = first_difference(*mine, theirs);
+    if (!difference) return colors;
+    const auto step = step_to_look_at(*difference, wrong_steps(chapter, result));
+    return in_words(*difference) + (step ? " \u2013 step " + *step : "");
+}
+
+/// How to look into the pixel.
+std::string way_on(const Project& project, const Seen& seen) {
+    if (drawing_named(seen.shown.what)) return "";
+    const std::string scene = relative(project, seen.shown.what);
+    const int x = seen.comparison.worst_x, y = seen.comparison.worst_y;
+    if (!has_solutions(project))
+        return fmt::format("      ./course trace {} {} {} shows its rays\n", scene, x, y);
+    const Scene read = parse_scene(seen.shown.what);
+    const bool is_small = read.width != seen.shown.width;
+    return fmt::format("      ./course trace {} {} {}{} --against solutions follows it\n", scene, x, y,
+                       is_small ? fmt::format(" --size {}x{}", seen.shown.width, seen.shown.height) : "");
+}
+
+}  // namespace
+
+void show_chapter_picture(const Project& project, const Chapter& chapter) {
+    if (chapter.scenes.empty()) return;
+    const fs::path scene = scene_path(project, chapter, chapter.scenes.front());
+    const std::optional<Image> image = drawn(project, chapter, {scene.string()}, picture_seconds);
+    if (!image) return;
+    const fs::path picture =
+        project.build / "pictures" / chapter.name / scene.stem().replace_extension(".png");
+    make_directories(picture.parent_path());
+    write_image(picture, *image, parse_scene(scene).encoding);
+    fmt::print("\nYour picture: {}\n", relative(project, picture));
+
+    const fs::path reference = fs::path(scene).replace_extension(".png");
+    if (!fs::exists(reference)) return;
+    const Comparison comparison = compare(*image, read_image(reference));
+    fmt::print("{:.2f} % of its pixels equal POV-Ray's ({})\n",
+               100 * comparison.within16[static_cast<std::size_t>(gate_steps)], relative(project, reference));
+}
+
+void show_failed_step(const Project& project, const Chapter& chapter, const ChapterResult& result,
+                      const std::string& step) {
+    const std::optional<Seen> seen = first_seen(project, chapter, step_of(chapter, step));
+    if (!seen) return;
+    const std::vector<Image> images{seen->mine, seen->theirs,
+                                    difference(seen->mine, seen->theirs, visible_gain(seen->comparison))};
+    const fs::path file = project.build / "pictures" / chapter.name / (step + ".png");
+    make_directories(file.parent_path());
+    write_image(file, in_a_row(images, std::max(1, 320 / seen->mine.width)));
+
+    fmt::print("\n      {}: yours, the expected one, and the difference\n", relative(project, file));
+    if (shows_true_colors()) {
+        const TerminalSize terminal = terminal_size(stdout);
+        fmt::print("{}", preview(in_a_row(images, 1), Encoding::Srgb, terminal.columns, terminal.rows - 3));
+    }
+    fmt::print("      at pixel ({}, {}): {}\n{}", seen->comparison.worst_x, seen->comparison.worst_y,
+               worst_in_words(project, chapter, result, *seen), way_on(project, *seen));
+}
+
+}  // namespace rt
