@@ -12,6 +12,7 @@
 #include "common/terminal/json_text.hpp"
 #include "common/terminal/lock.hpp"
 #include "common/terminal/process.hpp"
+#include "common/workbook/given_files.hpp"
 #include "common/workbook/result_text.hpp"
 #include "common/workbook/solutions.hpp"
 
@@ -84,7 +85,8 @@ void print_chapter(const Chapter& chapter, const ChapterResult& result) {
                paint(fmt::format("Chapter {}: {}", chapter.number, chapter.title), Tone::Bold),
                count(result, State::Passed), counted(result.steps.size(), "step"));
     if (!result.build_error.empty()) {
-        fmt::print("  {} It does not build:\n      {}\n", paint("✗", Tone::Bad), result.build_error);
+        fmt::print("  {} It does not build:\n      {}\n{}", paint("✗", Tone::Bad), result.build_error,
+                   notes(result));
         return;
     }
     bool shown = false;
@@ -97,6 +99,7 @@ void print_chapter(const Chapter& chapter, const ChapterResult& result) {
                              : details(step));
         shown = true;
     }
+    fmt::print("{}", notes(result));
 }
 
 /// The student's chapters that draw a picture: those that passed, without being checked again now; in a
@@ -140,9 +143,19 @@ void show_picture(const Project& project, const std::vector<const Chapter*>& min
                100 * comparison.within16[static_cast<std::size_t>(gate_steps)], relative(project, reference));
 }
 
+/// What to do first where a chapter does not build and a given file was changed; else nothing.
+std::string given_to_restore(const Project& project, const ChapterResult& result) {
+    if (result.build_error.empty() || result.build_error.find("./course reset ") != std::string::npos)
+        return "";
+    const GivenChanges changes = given_changes(project);
+    return changes.files.empty() ? "" : restore_command(changes);
+}
+
 /// First what was asked for; if that has all passed, whatever comes next in the course.
 std::string next_after(const Project& project, const std::vector<Chapter>& chapters, const Request& request,
                        const std::vector<ChapterResult>& results) {
+    for (const ChapterResult& result : results)
+        if (const std::string restore = given_to_restore(project, result); !restore.empty()) return restore;
     for (std::size_t i = 0; i < results.size(); ++i)
         if (!all_passed(results[i])) return next_action(*request.chapters[i], results[i]);
     return next_action(project, chapters, known_results(project, chapters));

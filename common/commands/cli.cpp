@@ -6,6 +6,7 @@
 #include "common/terminal/console.hpp"
 #include "common/terminal/lock.hpp"
 #include "common/workbook/catalogue.hpp"
+#include "common/workbook/given_files.hpp"
 #include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
@@ -96,6 +97,8 @@ int run_line(int argc, char** argv, int& write_error) {
             return usage_error(line.app, error);
         }
         hand_on_json(line);
+        if (const std::string changed = given_in_words(given_changes(this_project())); !changed.empty())
+            say(changed);
         return line.action();
     } catch (const NotImplemented& error) {
         say(not_started(error));

@@ -7,6 +7,7 @@
 #include "common/terminal/lock.hpp"
 #include "common/workbook/backup.hpp"
 #include "common/workbook/functions.hpp"
+#include "common/workbook/given_files.hpp"
 #include "common/workbook/results.hpp"
 
 #include <fmt/format.h>
@@ -41,18 +42,34 @@ std::vector<std::string> other_steps(std::string_view function, const Chapter& c
     return others;
 }
 
-/// The student's text with the functions of one step as they were at the start. Tells on standard error what
-/// else that takes back. Throws InputError if a function cannot be found.
+/// The function of the original where it is in the student's text. Throws InputError if neither it is there
+/// nor a place for it.
+std::string with_missing(const std::string& text, const std::string& pristine, const FunctionText& original,
+                         const Chapter& chapter, const Step& step) {
+    const auto whole = with_function(text, pristine, original);
+    if (!whole)
+        throw InputError(
+            fmt::format("step {} cannot be reset alone: chapters/{}/{} has no function '{}' any "
+                        "more; ./course reset {} resets the whole chapter",
+                        step.id, chapter.name, step.file, original.signature, chapter.number));
+    say("{} was missing and is back; what else the step has is as it was", original.signature);
+    return *whole;
+}
+
+/// The student's text with the functions of one step as they were at the start, or, if some were deleted,
+/// only with those. Tells on standard error what else that takes back. Throws InputError if a function cannot
+/// be found.
 std::string with_step_reset(const std::string& mine, const std::string& pristine, const Chapter& chapter,
                             const Step& step) {
     std::string text = mine;
-    for (const FunctionText& original : functions_with(pristine, todo_line(step.id))) {
+    const std::vector<FunctionText> originals = functions_with(pristine, todo_line(step.id));
+    for (const FunctionText& original : originals)
+        if (!find_function(text, original.signature))
+            text = with_missing(text, pristine, original, chapter, step);
+    if (text != mine) return text;
+
+    for (const FunctionText& original : originals) {
         const auto found = find_function(text, original.signature);
-        if (!found)
-            throw InputError(
-                fmt::format("step {} cannot be reset alone: chapters/{}/{} has no function '{}' any "
-                            "more; ./course reset {} resets the whole chapter",
-                            step.id, chapter.name, step.file, original.signature, chapter.number));
         const std::string function = pristine.substr(original.begin, original.end - original.begin);
         for (const std::string& other : other_steps(function, chapter, step.id))
             say("the same function holds step {}, which starts again, too", other);
@@ -106,17 +123,21 @@ void print_json(const std::vector<Reset>& resets) {
 
 int run_reset(const std::string& name, bool json) {
     const Project project = this_project();
+    const Lock lock(memory_lock(project), "a reset");
+    std::vector<Reset> resets;
+    // Without its given files a chapter may not even be known.
+    for (const std::string& file : restore_missing(project, name)) resets.push_back({file, ""});
     const std::vector<Chapter> chapters = read_catalogue(project);
     const Target target = find_target(chapters, name);
     const Chapter& chapter = *target.chapter;
 
-    const Lock lock(memory_lock(project), "reset " + name);
     // What was deleted comes back alone: the files that are there may hold finished work.
-    const std::vector<std::string> missing = missing_files(project, chapter);
-    const std::vector<std::string> files = target.step        ? std::vector{target.step->file}
-                                           : !missing.empty() ? missing
-                                                              : exercise_files(project, chapter);
-    std::vector<Reset> resets;
+    std::vector<std::string> files = missing_files(project, chapter);
+    const bool only_missing = !target.step && !(resets.empty() && files.empty());
+    if (target.step)
+        files = {target.step->file};
+    else if (!only_missing)
+        files = exercise_files(project, chapter);
     for (const std::string& file : files)
         if (const auto reset = reset_file(project, chapter, file, target.step)) resets.push_back(*reset);
     if (json) {
@@ -124,7 +145,7 @@ int run_reset(const std::string& name, bool json) {
         return 0;
     }
     print_resets(resets);
-    if (!target.step && !missing.empty())
+    if (only_missing)
         fmt::print(
             "The chapter's other files are as they were; ./course reset {} once more resets them, too.\n",
             chapter.number);
