@@ -143,10 +143,11 @@ void show_picture(const Project& project, const std::vector<const Chapter*>& min
                100 * comparison.within16[static_cast<std::size_t>(gate_steps)], relative(project, reference));
 }
 
-/// What to do first where a chapter does not build and a given file was changed; else nothing.
+/// What to do first where a chapter does not build because of a given file that was changed; else nothing.
 std::string given_to_restore(const Project& project, const ChapterResult& result) {
-    if (result.build_error.empty() || result.build_error.find("./course reset ") != std::string::npos)
-        return "";
+    const std::string& error = result.build_error;
+    const bool is_theirs = error.starts_with("chapters/") && error.find(".cpp") < error.find(' ');
+    if (error.empty() || is_theirs) return "";
     const GivenChanges changes = given_changes(project);
     return changes.files.empty() ? "" : restore_command(changes);
 }

@@ -11,6 +11,7 @@
 #include "common/workbook/results.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <optional>
@@ -42,33 +43,29 @@ std::vector<std::string> other_steps(std::string_view function, const Chapter& c
     return others;
 }
 
-/// The function of the original where it is in the student's text. Throws InputError if neither it is there
-/// nor a place for it.
-std::string with_missing(const std::string& text, const std::string& pristine, const FunctionText& original,
-                         const Chapter& chapter, const Step& step) {
-    const auto whole = with_function(text, pristine, original);
-    if (!whole)
-        throw InputError(
-            fmt::format("step {} cannot be reset alone: chapters/{}/{} has no function '{}' any "
-                        "more; ./course reset {} resets the whole chapter",
-                        step.id, chapter.name, step.file, original.signature, chapter.number));
-    say("{} was missing and is back; what else the step has is as it was", original.signature);
-    return *whole;
+/// The student's text with those functions of one step that were deleted, which are added to `added`. Throws
+/// InputError if one has no place there.
+std::string with_missing_functions(std::string text, const std::string& pristine, const Chapter& chapter,
+                                   const Step& step, std::vector<std::string>& added) {
+    for (const FunctionText& original : functions_with(pristine, todo_line(step.id))) {
+        if (find_function(text, original.signature)) continue;
+        const auto whole = with_function(text, pristine, original);
+        if (!whole)
+            throw InputError(
+                fmt::format("step {} cannot be reset alone: chapters/{}/{} has no function '{}' any "
+                            "more; ./course reset {} resets the whole chapter",
+                            step.id, chapter.name, step.file, original.signature, chapter.number));
+        text = *whole;
+        added.push_back(original.signature);
+    }
+    return text;
 }
 
-/// The student's text with the functions of one step as they were at the start, or, if some were deleted,
-/// only with those. Tells on standard error what else that takes back. Throws InputError if a function cannot
-/// be found.
-std::string with_step_reset(const std::string& mine, const std::string& pristine, const Chapter& chapter,
+/// The student's text, which has all functions of one step, with them as they were at the start. Tells on
+/// standard error what else that takes back.
+std::string with_step_reset(std::string text, const std::string& pristine, const Chapter& chapter,
                             const Step& step) {
-    std::string text = mine;
-    const std::vector<FunctionText> originals = functions_with(pristine, todo_line(step.id));
-    for (const FunctionText& original : originals)
-        if (!find_function(text, original.signature))
-            text = with_missing(text, pristine, original, chapter, step);
-    if (text != mine) return text;
-
-    for (const FunctionText& original : originals) {
+    for (const FunctionText& original : functions_with(pristine, todo_line(step.id))) {
         const auto found = find_function(text, original.signature);
         const std::string function = pristine.substr(original.begin, original.end - original.begin);
         for (const std::string& other : other_steps(function, chapter, step.id))
@@ -81,7 +78,8 @@ std::string with_step_reset(const std::string& mine, const std::string& pristine
 /// A file that was put back, and where the old one went; both as from the repository's root.
 struct Reset {
     std::string file;
-    std::string backup;  ///< empty if there was none
+    std::string backup;                ///< empty if there was none
+    std::vector<std::string> added{};  ///< the functions that came back, if nothing else did
 };
 
 /// Puts a file back, all of it or one step. Nothing if it is at its start already.
@@ -94,11 +92,13 @@ std::optional<Reset> reset_file(const Project& project, const Chapter& chapter, 
         return Reset{relative(project, path), ""};
     }
     const std::string mine = read_file(path);
-    const std::string text = step ? with_step_reset(mine, pristine, chapter, *step) : pristine;
+    std::vector<std::string> added;
+    std::string text = step ? with_missing_functions(mine, pristine, chapter, *step, added) : pristine;
+    if (step && added.empty()) text = with_step_reset(mine, pristine, chapter, *step);
     if (text == mine) return std::nullopt;
     const fs::path backup = keep_backup(path, mine);
     write_file(path, text);
-    return Reset{relative(project, path), relative(project, backup)};
+    return Reset{relative(project, path), relative(project, backup), added};
 }
 
 void print_resets(const std::vector<Reset>& resets) {
@@ -106,6 +106,9 @@ void print_resets(const std::vector<Reset>& resets) {
     for (const Reset& reset : resets)
         if (reset.backup.empty())
             fmt::print("{} was missing and is back, as it was at the start\n", reset.file);
+        else if (!reset.added.empty())
+            fmt::print("{} has {} again, and else is as it was; what you had is in {}\n", reset.file,
+                       fmt::join(reset.added, " and "), reset.backup);
         else
             fmt::print("{} is back at its start; what you had is in {}\n", reset.file, reset.backup);
 }

@@ -174,6 +174,7 @@ TestOutcome run_test_program(const Project& project, const std::string& name, co
     ProcessOptions options;
     options.time_limit = limit;
     options.last_words = SIGQUIT;
+    options.output_limit = std::size_t{64} << 20;  // what is printed in the last test counts, too
     const fs::path file = program(project, name);
     TestOutcome outcome = run_tests(file, own_directory(project) / (name + ".jsonl"), arguments, options);
     if (!outcome.death.empty()) outcome.place = place_of_death(project, file, outcome);

@@ -3,6 +3,7 @@
 
 #include "common/math/counted.hpp"
 #include "common/math/printable.hpp"
+#include "common/workbook/back_trace.hpp"
 #include "common/workbook/exercise.hpp"
 
 #include <fmt/format.h>
@@ -16,11 +17,12 @@ namespace {
 constexpr char mark = '\x1e';
 constexpr std::size_t most_lines = 10;
 
-/// The lines with something in them.
+/// The lines with something in them, but for what the standard library says before it ends a program: that is
+/// told with the place.
 std::vector<std::string> lines_of(std::string_view text) {
     std::vector<std::string> lines;
     for (const std::string& line : split_lines(text))
-        if (!line.empty()) lines.push_back(printable(line));
+        if (!line.empty() && broken_rule(line).empty()) lines.push_back(printable(line));
     return lines;
 }
 

@@ -159,7 +159,7 @@ expect "with its test" 1 'Printed in the test "after one comes two"' build/bin/c
 start_again; sed -i '/^int next/,/^}/d' $exercise
 expect "a function that was deleted is named" 1 "has no function int next\(int n\) of step 99.1; .*reset 99.1" \
     ./course check 99
-expect "and comes back" 0 "int next\(int n\) was missing and is back" ./course reset 99.1
+expect "and comes back" 0 "$exercise has int next\(int n\) again" ./course reset 99.1
 cmp -s $exercise "$COURSE_BUILD/scratch/tiny.start" || fail "a function comes back where it was"
 rm $exercise.*.backup
 
