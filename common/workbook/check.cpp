@@ -260,8 +260,11 @@ BuildResult build_mine(const Project& project, const std::vector<const Chapter*>
     for (const std::string& line : split_lines(read_file(project.build / "CMakeCache.txt")))
         if (line.starts_with("COURSE_MINE:")) linked = line.substr(line.find('=') + 1);
     if (linked != wanted) {
+        Progress progress(label);
+        ProcessOptions options = for_cmake(project);
+        options.while_waiting = [&] { progress.update(0); };
         const ProcessResult result =
-            run_process({"cmake", "-DCOURSE_MINE=" + wanted, project.build.string()}, for_cmake(project));
+            run_process({"cmake", "-DCOURSE_MINE=" + wanted, project.build.string()}, options);
         if (!succeeded(result)) return {false, printable(first_error(project, result.output)), result.output};
     }
     return build_locked(project, {"course_mine"}, label);

@@ -56,6 +56,7 @@ for p in "$@"; do case $p in -* | install) ;; *) echo "$p" >>"$MACHINE/installed
 # The build: configuring makes build.ninja, building makes a program that says what it was given.
 # shellcheck disable=SC2016
 stand_in cmake 'echo "cmake $*" >>"$MACHINE/asked"
+[ "$1" = --build ] && [ -e "$MACHINE/slow_build" ] && read -rt 1.5 <><(:)
 [ "$1" = --build ] && echo "[1/2] Building"
 [ "$1" = --build ] && mkdir -p "$2/bin" && rm -f "$2/bin/course" && printf "#!/bin/bash\necho program: \"\$@\"\n" >"$2/bin/course" && chmod +x "$2/bin/course"
 [ "$1" = -S ] && echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$4/CMakeCache.txt" && : >"$4/build.ninja"
@@ -104,6 +105,11 @@ ln -s "$machine/tree" "$machine/link"
 printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\n' "$machine/link" >"$machine/tree/build/CMakeCache.txt"
 expect "a build that was made through a link is kept, too" 0 "^program: list$" list
 [ -e "$machine/tree/build/witness" ] || fail "a build that was made through a link is kept, too"
+
+: >"$machine/slow_build"
+said=$(PATH=$machine/bin "$(command -v script)" -qec "$machine/tree/course list" /dev/null </dev/null)
+[[ $said == *"Building, 1 s"*"program: list"* ]] || fail "on a terminal, a build that takes long counts its seconds" "$said"
+rm "$machine/slow_build"
 
 printf 'CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere\n' >"$machine/tree/build/CMakeCache.txt"
 echo '{"99.1":3}' >"$machine/tree/build/hints.json"
