@@ -97,7 +97,7 @@ expect "a broken header is named" 0 "common/math/vec.hpp is not as the course ha
 expect "the program that could be built last does what it can" 0 "Hint [0-9] of" ./course hint 01.2
 expect "also a reset" 0 "Nothing to reset" ./course reset 01
 expect "what to do is told" 1 "Next:.* git restore common/math/vec.hpp" ./course check 01
-git restore common
+git restore common && same_times
 rm chapters/01_ray_casting/camera.hpp chapters/01_ray_casting/chapter.json tests/01_ray_casting/camera_test.cpp
 expect "deleted files are named" 2 "camera.hpp \(deleted\), .*git restore chapters/01_ray_casting/camera.hpp" ./course hint 01.1
 expect "and come back" 0 "tests/01_ray_casting/camera_test.cpp was missing and is back" ./course reset 01
