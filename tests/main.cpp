@@ -1,9 +1,11 @@
 // The main program of every test program: Catch2, and a report that a crash cannot take away.
 // Beside Catch2's own options: --quick (fewer random cases), --seed N (other random cases), --report FILE
-// (see below), and those of the program alone (tests/own_options.hpp), which may have other uses, too.
+// (see below), --watched (what is printed is marked with the test that was running, and a report says where a
+// crash was), and those of the program alone (tests/own_options.hpp), which may have other uses, too.
 #define COURSE_TEST_MAIN
 #include "common/math/printable.hpp"
 #include "common/math/todo.hpp"
+#include "tests/back_trace.hpp"
 #include "tests/catch.hpp"
 #include "tests/condition.hpp"
 #include "tests/own_options.hpp"
@@ -23,6 +25,7 @@ extern bool quick;
 namespace {
 
 std::string report_file;
+bool watched = false;
 int passed = 0, failed = 0, waiting = 0;
 bool finished = false;
 bool reported = true;  // as long as every line of the report could be written
@@ -75,6 +78,12 @@ std::string describe(const Catch::AssertionStats& stats) {
     return text.str();
 }
 
+/// Begins what is printed during a test with a line of its name; a sign in front that nobody prints tells it
+/// from other lines (common/workbook/printed.hpp). The empty name ends the last test's.
+void mark_output(const std::string& name) {
+    if (watched) std::cout << '\x1e' << printable(name) << std::endl;
+}
+
 /// Writes one line of JSON as a test case starts and one as it ends, so that whoever started the program
 /// knows in which test it died:
 ///   {"started":"name","steps":["02.1"]}
@@ -94,6 +103,7 @@ struct Report : Listener {
         first_failure.clear();
         missing_step.clear();
         stopped.clear();
+        mark_output(info.name);
         out << "{\"started\":" << json(info.name) << ",\"steps\":" << steps(info) << "}" << std::endl;
     }
 
@@ -117,6 +127,7 @@ struct Report : Listener {
 
     void testRunEnded(const Catch::TestRunStats&) override {
         finished = true;
+        mark_output("");
         out << "{\"finished\":true}" << std::endl;
         reported = report_file.empty() || out.good();
     }
@@ -152,10 +163,15 @@ int main(int argc, char** argv) {
     session.cli(
         session.cli() | options::Opt(quick)["--quick"]("fewer random cases, as in a student's check") |
         options::Opt(case_seed, "number")["--seed"]("other random cases than those that everybody knows") |
-        options::Opt(report_file, "file")["--report"]("write a line of JSON a test case"));
+        options::Opt(report_file, "file")["--report"]("write a line of JSON a test case") |
+        options::Opt(watched)["--watched"]("mark what is printed, and report where a crash was"));
     for (OwnOption* own : own_options())
         session.cli(session.cli() | options::Opt(own->values, own->value_name)[own->name](own->help));
     if (session.applyCommandLine(argc, argv) != 0) return 2;
+    if (watched) {
+        std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // what is printed before a crash is not lost
+        report_where_it_stops(report_file);
+    }
     session.run();
     if (!finished) return 0;
     std::cout << passed << " passed, " << failed << " failed";

@@ -6,6 +6,7 @@
 #include "common/math/input_error.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/json_text.hpp"
+#include "common/workbook/given_files.hpp"
 #include "common/workbook/result_text.hpp"
 #include "common/workbook/solutions.hpp"
 
@@ -73,7 +74,8 @@ void print_chapter(const Chapter& chapter, const ChapterResult& result) {
                paint(fmt::format("Chapter {}: {}", chapter.number, chapter.title), Tone::Bold),
                count(result, State::Passed), counted(result.steps.size(), "step"));
     if (!result.build_error.empty()) {
-        fmt::print("  {} It does not build:\n      {}\n", paint("✗", Tone::Bad), result.build_error);
+        fmt::print("  {} It does not build:\n      {}\n{}", paint("✗", Tone::Bad), result.build_error,
+                   notes(result));
         return;
     }
     bool shown = false;
@@ -86,6 +88,7 @@ void print_chapter(const Chapter& chapter, const ChapterResult& result) {
                              : details(step));
         shown = true;
     }
+    fmt::print("{}", notes(result));
 }
 
 /// The picture of a chapter that has passed, or of the first step that has failed.
@@ -97,9 +100,20 @@ void show_pictures(const Project& project, const Chapter& chapter, const Chapter
         show_failed_step(project, chapter, all, failed->id);
 }
 
+/// What to do first where a chapter does not build because of a given file that was changed; else nothing.
+std::string given_to_restore(const Project& project, const ChapterResult& result) {
+    const std::string& error = result.build_error;
+    const bool is_theirs = error.starts_with("chapters/") && error.find(".cpp") < error.find(' ');
+    if (error.empty() || is_theirs) return "";
+    const GivenChanges changes = given_changes(project);
+    return changes.files.empty() ? "" : restore_command(changes);
+}
+
 /// First what was asked for; if that has all passed, whatever comes next in the course.
 std::string next_after(const Project& project, const std::vector<Chapter>& chapters, const Request& request,
                        const std::vector<ChapterResult>& results) {
+    for (const ChapterResult& result : results)
+        if (const std::string restore = given_to_restore(project, result); !restore.empty()) return restore;
     for (std::size_t i = 0; i < results.size(); ++i)
         if (!all_passed(results[i])) return next_action(*request.chapters[i], results[i]);
     return next_action(project, chapters, known_results(project, chapters));

@@ -6,11 +6,13 @@
 #include "common/terminal/console.hpp"
 #include "common/terminal/lock.hpp"
 #include "common/workbook/catalogue.hpp"
+#include "common/workbook/given_files.hpp"
 #include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <new>
 #include <system_error>
 
@@ -80,8 +82,22 @@ void hand_on_json(CommandLine& line) {
     if (line.json) line.grade.format = "json";
 }
 
+/// Names given files that a student has changed.
+void tell_changed_given() {
+    const std::string changed = given_in_words(given_changes(this_project()));
+    if (!changed.empty()) say(changed);
+}
+
+/// Whether the script `course` has started this program, for a person. What this program starts is not told
+/// so.
+bool started_by_script() {
+    const bool started = std::getenv("COURSE_SCRIPT") != nullptr;
+    unsetenv("COURSE_SCRIPT");
+    return started;
+}
+
 /// `write_error` becomes the reason why something could not be written to standard output, if that ended it.
-int run_line(int argc, char** argv, int& write_error) {
+int run_line(int argc, char** argv, bool by_script, int& write_error) {
     try {
         CommandLine line;
         describe_commands(line);
@@ -96,6 +112,7 @@ int run_line(int argc, char** argv, int& write_error) {
             return usage_error(line.app, error);
         }
         hand_on_json(line);
+        if (by_script) tell_changed_given();
         return line.action();
     } catch (const NotImplemented& error) {
         say(not_started(error));
@@ -123,9 +140,10 @@ int run_line(int argc, char** argv, int& write_error) {
 
 int run_course(int argc, char** argv) {
     close_inherited_lock();
+    const bool by_script = started_by_script();
     open_missing_streams();
     int write_error = 0;
-    const int status = run_line(argc, argv, write_error);
+    const int status = run_line(argc, argv, by_script, write_error);
     return ended(status, write_error);
 }
 

@@ -144,8 +144,9 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
     ProcessResult result;
     Lines lines{options.on_line, {}};
     int status = 0;
-    bool open = true, ended = false;
-    while (!ended && !result.timed_out) {
+    bool open = true, ended = false, killed = false;
+    Stopwatch since_last_words;
+    while (!ended && !killed) {
         // A child that has closed its output may still run.
         pollfd descriptor{open ? pipe_ends[0] : -1, POLLIN, 0};
         poll(&descriptor, 1, open ? 20 : 1);
@@ -160,10 +161,15 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
             lines.add(text);
             if (has_had(options.time_limit, child, stopwatch)) break;
         }
-        if (!ended && has_had(options.time_limit, child, stopwatch)) {
-            kill(child, SIGKILL);
+        if (options.while_waiting) options.while_waiting();
+        if (ended) break;
+        if (!result.timed_out && has_had(options.time_limit, child, stopwatch)) {
             result.timed_out = true;
+            since_last_words = {};
+            if (options.last_words != 0) kill(child, options.last_words);
         }
+        killed = result.timed_out && (options.last_words == 0 || since_last_words.seconds() > 1);
+        if (killed) kill(child, SIGKILL);
     }
     close(pipe_ends[0]);
     while (!ended && waitpid(child, &status, 0) == -1 && errno == EINTR) continue;

@@ -12,6 +12,8 @@ namespace rt {
 
 struct ProcessOptions {
     double time_limit = 0;  ///< seconds that the child may have, not counting others'; 0 is no limit
+    int last_words = 0;  ///< a signal that is sent a second before it is killed, so that it can say something
+    std::function<void()> while_waiting;                           ///< called some times a second
     std::function<void(std::string_view line)> on_line;            ///< told each line of output as it comes
     std::vector<std::pair<std::string, std::string>> environment;  ///< added to this program's
     std::size_t output_limit = 1 << 20;                            ///< bytes of output that are kept

@@ -5,13 +5,17 @@
 #include "common/math/printable.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/lock.hpp"
+#include "common/workbook/back_trace.hpp"
 #include "common/workbook/exercise.hpp"
+#include "common/workbook/missing_function.hpp"
 #include "common/workbook/solutions.hpp"
+#include "common/workbook/warnings.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 
 namespace rt {
@@ -41,6 +45,13 @@ std::string without_root(const Project& project, std::string line) {
 
 StepResult died(const std::string& step, const TestOutcome& outcome) {
     return {step, State::Failed, death_in_words(outcome)};
+}
+
+/// Where a student's code was, and what a check of the standard library said of it.
+std::string place_of_death(const Project& project, const fs::path& program, const TestOutcome& outcome) {
+    const std::string rule = broken_rule(outcome.output);
+    const std::string place = stopped_in_words(project, program, outcome.report.stopped_at);
+    return rule.empty() || place.empty() ? rule + place : rule + " " + place;
 }
 
 /// Every step has failed for the same reason.
@@ -75,8 +86,12 @@ BuildResult build_locked(const Project& project, const std::vector<std::string>&
 
     Progress progress(label);
     ProcessOptions options = for_cmake(project);
-    options.on_line = [&](std::string_view line) { progress.update(std::max(ninja_fraction(line), 0.0)); };
+    double fraction = 0;
+    options.on_line = [&](std::string_view line) { fraction = std::max(ninja_fraction(line), fraction); };
+    // Ninja says nothing before a file is compiled, which may take long.
+    options.while_waiting = [&] { progress.update(fraction); };
     const ProcessResult result = run_process(command, options);
+    remember_warnings(project, result.output);
     for (const std::string& target : targets) keep_program(project, target);
     if (succeeded(result)) return {true, "", result.output};
     return {false, printable(first_error(project, result.output)), result.output};
@@ -118,14 +133,16 @@ std::string first_error(const Project& project, const std::string& output) {
         if (from_linker && linker.empty()) linker = line;
         if (!line.empty() && !line.starts_with("ninja: build stopped")) last = line;
     }
-    return without_root(project, linker.empty() ? last : linker);
+    if (linker.empty()) return without_root(project, last);
+    const std::string missing = missing_in_words(project, read_catalogue(project), linker);
+    return missing.empty() ? without_root(project, linker) : missing;
 }
 
 std::string death_in_words(const TestOutcome& outcome) {
     const std::string place = outcome.report.died_in
                                   ? fmt::format(" in the test \"{}\"", outcome.report.died_in->name)
                                   : " outside of any test";
-    return outcome.death + place;
+    return outcome.death + place + (outcome.place.empty() ? "" : "\n" + outcome.place);
 }
 
 TestOutcome run_tests(const fs::path& program, const fs::path& report,
@@ -137,6 +154,7 @@ TestOutcome run_tests(const fs::path& program, const fs::path& report,
 
     TestOutcome outcome;
     outcome.seconds = result.seconds;
+    outcome.output = result.output;
     if (fs::exists(report)) outcome.report = read_report(read_file(report));
     if (result.timed_out)
         outcome.death = fmt::format("did not finish in {:g} s", options.time_limit);
@@ -149,17 +167,24 @@ TestOutcome run_tests(const fs::path& program, const fs::path& report,
 
 TestOutcome run_test_program(const Project& project, const std::string& name, const std::string& tag,
                              bool quick, double limit) {
-    std::vector<std::string> arguments;
+    // What Catch2 says is in the report, too, and in better words.
+    std::vector<std::string> arguments{"--watched", "--out", "/dev/null"};
     if (quick) arguments.push_back("--quick");
     if (!tag.empty()) arguments.push_back("[" + tag + "]");
     ProcessOptions options;
     options.time_limit = limit;
-    return run_tests(program(project, name), own_directory(project) / (name + ".jsonl"), arguments, options);
+    options.last_words = SIGQUIT;
+    options.output_limit = std::size_t{64} << 20;  // what is printed in the last test counts, too
+    const fs::path file = program(project, name);
+    TestOutcome outcome = run_tests(file, own_directory(project) / (name + ".jsonl"), arguments, options);
+    if (!outcome.death.empty()) outcome.place = place_of_death(project, file, outcome);
+    return outcome;
 }
 
 ChapterResult judge_program(const Project& project, const Chapter& chapter, const std::string& name) {
     const TestOutcome all = run_test_program(project, name, "", true, time_limit);
     ChapterResult result{chapter.name, "", {}};
+    result.printed = read_printed(all.output);
     // Without a test that started, it is the program itself that dies: trying again would not help.
     const bool hopeless = !all.death.empty() && all.report.ended.empty() && !all.report.died_in;
     for (const Step& step : chapter.steps) {
@@ -191,8 +216,9 @@ std::vector<ChapterResult> check_chapters(const Project& project, const std::vec
     }
     const std::string label =
         chapters.size() == 1 ? "Building chapter " + chapters.front()->number : "Building the chapters";
+    // One chapter's first error is enough; where a header that all include is broken there are hundreds.
     const BuildResult together =
-        targets.empty() ? BuildResult{} : build_targets(project, targets, label, true);
+        targets.empty() ? BuildResult{} : build_targets(project, targets, label, targets.size() > 1);
 
     std::vector<ChapterResult> results;
     for (std::size_t i = 0; i < chapters.size(); ++i) {
@@ -205,6 +231,7 @@ std::vector<ChapterResult> check_chapters(const Project& project, const std::vec
                                       : build_targets(project, {target}, label);
         results.push_back(build.ok ? judge_program(project, chapter, target)
                                    : not_built(chapter, build.message));
+        if (!solutions) results.back().warnings = known_warnings(project, chapter);
         if (!solutions) remember(project, chapter, results.back(), sources[i]);
     }
     return results;
@@ -247,10 +274,11 @@ BuildResult build_mine(const Project& project, const OwnCode& own) {
         if (line.starts_with("COURSE_FILLED:")) linked_files = line.substr(line.find('=') + 1);
     }
     if (linked != numbers || linked_files != filled) {
-        say("{}", label);  // whatever else is said comes some seconds later
+        Progress progress(label);
+        ProcessOptions options = for_cmake(project);
+        options.while_waiting = [&] { progress.update(0); };
         const ProcessResult result = run_process(
-            {"cmake", "-DCOURSE_MINE=" + numbers, "-DCOURSE_FILLED=" + filled, project.build.string()},
-            for_cmake(project));
+            {"cmake", "-DCOURSE_MINE=" + numbers, "-DCOURSE_FILLED=" + filled, project.build.string()}, options);
         if (!succeeded(result)) return {false, printable(first_error(project, result.output)), result.output};
     }
     return build_locked(project, {"course_mine"}, label);

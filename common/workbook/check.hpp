@@ -21,7 +21,8 @@ struct BuildResult {
 BuildResult build_targets(const Project& project, const std::vector<std::string>& targets,
                           const std::string& label, bool keep_going = false);
 
-/// The one line of a failed build's output that says what is wrong, paths as from the repository's root.
+/// The one line of a failed build's output that says what is wrong, paths as from the repository's root; of a
+/// function that a chapter's contract declares and nobody has written, which step's it is.
 std::string first_error(const Project& project, const std::string& output);
 
 /// How a test program ended.
@@ -29,16 +30,20 @@ struct TestOutcome {
     TestReport report;
     std::string death;  ///< "crashed (segmentation fault)"; empty if it came to its end
     double seconds = 0;
+    std::string output{};  ///< what it printed, its beginning
+    std::string
+        place{};  ///< where a student's code was when it died, and why, in words; empty if nobody knows
 };
 
-/// "crashed (segmentation fault) in the test "two roots"".
+/// "crashed (segmentation fault) in the test "two roots"", and in a second line where in the student's code.
 std::string death_in_words(const TestOutcome& outcome);
 
 /// Runs a program of tests/main.cpp with these arguments, and has it write its report into a file.
 TestOutcome run_tests(const std::filesystem::path& program, const std::filesystem::path& report,
                       const std::vector<std::string>& arguments, const ProcessOptions& options);
 
-/// Runs a test program on the tests with a tag, or on all. `time_limit` in seconds, 0 for none.
+/// Runs a test program on the tests with a tag, or on all, and finds out where it died. `time_limit` in
+/// seconds, 0 for none.
 TestOutcome run_test_program(const Project& project, const std::string& name, const std::string& tag,
                              bool quick, double time_limit);
 

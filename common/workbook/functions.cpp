@@ -86,6 +86,16 @@ std::optional<std::pair<std::size_t, std::size_t>> find_loosely(std::string_view
     return std::pair{place[found], place[found + wanted.size() - 1] + 1};
 }
 
+/// All that end with a brace at the beginning of a line.
+std::vector<FunctionText> all_functions(std::string_view text) { return functions_with(text, "\n}\n"); }
+
+/// "intersect" of "std::optional<Hit> intersect(const Sphere& sphere)".
+std::string_view name_in(std::string_view signature) {
+    const std::string_view head = signature.substr(0, signature.find('('));
+    const auto last = head.find_last_of(" *&:");
+    return last == std::string_view::npos ? head : head.substr(last + 1);
+}
+
 }  // namespace
 
 std::vector<FunctionText> functions_with(std::string_view text, std::string_view part) {
@@ -112,6 +122,29 @@ std::optional<FunctionText> find_function(std::string_view text, std::string_vie
     if (close == std::string_view::npos) return std::nullopt;
     return FunctionText{place->first, line_end(text, close), line_at(text, place->first),
                         std::string(signature)};
+}
+
+std::optional<std::string> with_function(std::string_view text, std::string_view original,
+                                         const FunctionText& function) {
+    const std::vector<FunctionText> theirs = all_functions(original);
+    for (const FunctionText& mine : all_functions(text))
+        if (name_in(mine.signature) == name_in(function.signature) &&
+            !find_function(original, mine.signature))
+            return std::nullopt;
+
+    const std::string lines(original.substr(function.begin, function.end - function.begin));
+    const auto inserted = [&](std::size_t at, const std::string& what) {
+        return std::string(text.substr(0, at)) + what + std::string(text.substr(at));
+    };
+    std::optional<FunctionText> before;
+    for (const FunctionText& other : theirs) {
+        const auto found = find_function(text, other.signature);
+        if (found && other.begin < function.begin) before = found;
+        if (found && other.begin > function.begin && !before) return inserted(found->begin, lines + "\n");
+    }
+    if (before) return inserted(before->end, "\n" + lines);
+    const auto end = text.rfind("\n}  // namespace rt");
+    return end == std::string_view::npos ? std::nullopt : std::optional(inserted(end + 1, lines + "\n"));
 }
 
 }  // namespace rt

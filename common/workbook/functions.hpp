@@ -25,4 +25,11 @@ std::vector<FunctionText> functions_with(std::string_view text, std::string_view
 /// there is none, or if its braces do not match.
 std::optional<FunctionText> find_function(std::string_view text, std::string_view signature);
 
+/// The text with a function of `original` that it does not have put in its place: after the function that is
+/// before it there, before the next one, or at the end of the namespace. Nothing if none of these is found,
+/// or the text has a function of the same name that `original` does not have: which may be the same with
+/// other parameters.
+std::optional<std::string> with_function(std::string_view text, std::string_view original,
+                                         const FunctionText& function);
+
 }  // namespace rt

@@ -5,6 +5,7 @@
 #include "common/terminal/console.hpp"
 #include "common/workbook/exercise.hpp"
 #include "common/workbook/solutions.hpp"
+#include "common/workbook/warnings.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,15 @@ constexpr std::size_t most_detail_lines = 14;
 
 std::string file_of(const Chapter& chapter, const std::string& step) {
     return fmt::format("chapters/{}/{}", chapter.name, step_of(chapter, step).file);
+}
+
+/// The test whose name a failure begins with, or, after a crash, ends its first line with in quotes.
+std::string test_named_in(const std::string& message) {
+    const std::string first = message.substr(0, message.find('\n')), in_test = " in the test \"";
+    const auto quoted = first.find(in_test);
+    if (quoted == std::string::npos || !first.ends_with('"')) return first;
+    const std::size_t begin = quoted + in_test.size();
+    return first.substr(begin, first.size() - 1 - begin);
 }
 
 }  // namespace
@@ -43,11 +53,19 @@ std::string details(const StepResult& result) {
     return text;
 }
 
+std::string notes(const ChapterResult& result) {
+    std::string failed;
+    for (const StepResult& step : result.steps)
+        if (failed.empty() && step.state == State::Failed) failed = test_named_in(step.message);
+    return printed_in_words(result.printed, failed) + warnings_in_words(result.warnings);
+}
+
 std::string next_action(const Chapter& chapter, const ChapterResult& result) {
     const std::string check = "./course check " + chapter.number;
     // The file may be an earlier chapter's: in a handout nothing else takes its place.
-    if (const auto reset = result.build_error.find("./course reset "); reset != std::string::npos)
-        return result.build_error.substr(reset, std::string_view("./course reset NN").size());
+    constexpr std::string_view command = "./course reset ";
+    if (const auto reset = result.build_error.find(command); reset != std::string::npos)
+        return result.build_error.substr(reset, result.build_error.find(' ', reset + command.size()) - reset);
     if (!result.build_error.empty()) return "mend the compile error, then " + check;
     for (const StepResult& step : result.steps)
         if (step.state == State::Failed)

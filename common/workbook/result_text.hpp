@@ -16,6 +16,10 @@ std::string step_line(const Step& step, const StepResult& result);
 /// What went wrong with a step, indented to stand below its line; several lines, or none.
 std::string details(const StepResult& result);
 
+/// What else a student wants to see below the steps: what their code printed, first in the first test that
+/// failed, and the compiler's warnings. Empty if there is nothing.
+std::string notes(const ChapterResult& result);
+
 /// The one next thing to do for a student with these results, as an imperative sentence. `results` are all
 /// chapters', in the catalogue's order.
 std::string next_action(const Project& project, const std::vector<Chapter>& chapters,

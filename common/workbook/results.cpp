@@ -72,6 +72,8 @@ TestReport read_report(std::string_view text) {
         const json event = read_json(line);
         if (!event.is_object()) break;
         if (event.contains("finished")) report.complete = true;
+        if (event.contains("stopped_at"))
+            report.stopped_at = event.value("stopped_at", std::vector<std::string>());
         TestRun run;
         run.steps = event.value("steps", std::vector<std::string>());
         if (event.contains("started")) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/workbook/catalogue.hpp"
+#include "common/workbook/printed.hpp"
 
 #include <optional>
 #include <string>
@@ -25,6 +26,10 @@ struct ChapterResult {
     std::string chapter;            ///< its name, "02_spheres"
     std::string build_error;        ///< the compiler's first message; empty if it compiled
     std::vector<StepResult> steps;  ///< all of the chapter's, in order
+
+    // What is shown beside them; it is not remembered.
+    std::vector<Printed> printed{};       ///< while the tests ran
+    std::vector<std::string> warnings{};  ///< of the compiler, of the chapter's files
 };
 
 /// Nothing started.
@@ -46,8 +51,9 @@ struct TestRun {
 /// What a test program had written when it ended, in whichever way.
 struct TestReport {
     std::vector<TestRun> ended;
-    std::optional<TestRun> died_in;  ///< started and not ended
-    bool complete = false;           ///< the program came to its end
+    std::optional<TestRun> died_in;         ///< started and not ended
+    bool complete = false;                  ///< the program came to its end
+    std::vector<std::string> stopped_at{};  ///< where it was at its end (tests/back_trace.hpp)
 };
 
 /// Reads a report. Lines that are not whole, or not a report's, end it.

@@ -31,7 +31,7 @@ stand_in() {
 rm -rf "$machine"
 mkdir -p "$machine/bin" "$machine/tree"
 cp "$COURSE_ROOT/course" "$machine/tree"
-for tool in bash env dirname readlink sed grep tail head tr rm mkdir mktemp cat mv flock; do
+for tool in bash env dirname readlink sed grep tail head tr rm mkdir mktemp cat mv flock ln; do
     ln -s "$(command -v $tool)" "$machine/bin/$tool"
 done
 stand_in sleep ''  # nobody waits for apt's lock
@@ -56,7 +56,9 @@ for p in "$@"; do case $p in -* | install) ;; *) echo "$p" >>"$MACHINE/installed
 # The build: configuring makes build.ninja, building makes a program that says what it was given.
 # shellcheck disable=SC2016
 stand_in cmake 'echo "cmake $*" >>"$MACHINE/asked"
-[ "$1" = --build ] && mkdir -p "$2/bin" && printf "#!/bin/bash\necho program: \"\$@\"\n" >"$2/bin/course" && chmod +x "$2/bin/course"
+[ "$1" = --build ] && [ -e "$MACHINE/slow_build" ] && read -rt 1.5 <><(:)
+[ "$1" = --build ] && echo "[1/2] Building"
+[ "$1" = --build ] && mkdir -p "$2/bin" && rm -f "$2/bin/course" && printf "#!/bin/bash\necho program: \"\$@\"\n" >"$2/bin/course" && chmod +x "$2/bin/course"
 [ "$1" = -S ] && echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$4/CMakeCache.txt" && : >"$4/build.ninja"
 [ -e "$MACHINE/broken_build" ] && echo "/x/y.cpp:1:2: error: no good" && exit 1
 exit 0'
@@ -104,6 +106,11 @@ printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\n' "$machine/link" >"$machine/tree/buil
 expect "a build that was made through a link is kept, too" 0 "^program: list$" list
 [ -e "$machine/tree/build/witness" ] || fail "a build that was made through a link is kept, too"
 
+: >"$machine/slow_build"
+said=$(PATH=$machine/bin "$(command -v script)" -qec "$machine/tree/course list" /dev/null </dev/null)
+[[ $said == *"Building, 1 s"*"program: list"* ]] || fail "on a terminal, a build that takes long counts its seconds" "$said"
+rm "$machine/slow_build"
+
 printf 'CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere\n' >"$machine/tree/build/CMakeCache.txt"
 echo '{"99.1":3}' >"$machine/tree/build/hints.json"
 : >"$machine/asked"
@@ -117,7 +124,13 @@ said=$(cd "$machine/it's" && PATH=$machine/bin ./course list 2>&1) && fail "a pa
 [[ $said == *"Rename the folder." ]] || fail "a path that Ninja cannot follow is named" "$said"
 
 : >"$machine/broken_build"
-expect "a broken build shows the error" 1 "y.cpp:1:2: error: no good" list
+expect "a broken build shows the error" 1 "y.cpp:1:2: error: no good" tour
+expect "and nothing else runs" 1 "all of it: .*build.log" tour
+expect "but the student's commands do, by the last program" 0 "^program: hint 02.1$" hint 02.1
+expect "which is said" 0 "could be built last" reset 02
+expect "with the error" 0 "y.cpp:1:2: error: no good" ""
+rm "$machine/tree/build/last_program"
+expect "if there is none, nothing runs" 1 "y.cpp:1:2: error: no good" hint 02.1
 # shellcheck disable=SC2016
 stand_in cmake 'printf "/x/caf\xe9.cpp:1:2: error: no \033[2Jgood\n"; exit 1'
 expect "an error that is not UTF-8 is shown, too" 1 "cpp:1:2: error: no \?\[2Jgood" list

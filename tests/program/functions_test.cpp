@@ -72,3 +72,24 @@ TEST_CASE("a function that is gone, or whose braces do not match, is not found")
     CHECK_FALSE(find_function(text, "bool any(long a)"));
     CHECK_FALSE(find_function("bool any(int a) { if (a) {\n}\n", "bool any(int a)"));
 }
+
+TEST_CASE("a function that was deleted is put back in its place") {
+    const std::string original =
+        "namespace rt {\n\nint one() {\n    return 1;\n}\n\nint two(int n) {\n    return n;\n}\n\n"
+        "int three() {\n    return 3;\n}\n\n}  // namespace rt\n";
+    const auto functions = functions_with(original, "return");
+    REQUIRE(functions.size() == 3);
+    for (const FunctionText& function : functions) {
+        INFO("deleted: " << function.signature);
+        std::string mine = original;
+        mine.erase(function.begin, function.end - function.begin + 1);
+        CHECK(with_function(mine, original, function) == original);
+    }
+    const std::string bare = "namespace rt {\n}  // namespace rt\n";
+    CHECK(with_function(bare, original, functions[0]) ==
+          "namespace rt {\nint one() {\n    return 1;\n}\n\n}  // namespace rt\n");
+    CHECK_FALSE(with_function("int other();\n", original, functions[0]));
+    // One of the name with other parameters would stay beside it.
+    CHECK_FALSE(with_function("int three() {\n    return 3;\n}\n\nint two(long n) {\n    return 2;\n}\n",
+                              original, functions[1]));
+}

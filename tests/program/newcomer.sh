@@ -90,6 +90,21 @@ expect "and comes back" 0 "$plane was missing and is back" ./course reset 01
 git restore chapters
 [ -z "$(git status --porcelain)" ] || fail "git takes changes back"
 
+# What is given, and is changed or deleted by accident.
+echo "}" >>common/math/vec.hpp
+expect "a broken header is named" 0 "common/math/vec.hpp is not as the course has it; git restore common/math/vec.hpp brings" \
+    ./course hint 01.1
+expect "the program that could be built last does what it can" 0 "Hint [0-9] of" ./course hint 01.2
+expect "also a reset" 0 "Nothing to reset" ./course reset 01
+expect "what to do is told" 1 "Next:.* git restore common/math/vec.hpp" ./course check 01
+git restore common && same_times
+rm chapters/01_ray_casting/camera.hpp chapters/01_ray_casting/chapter.json tests/01_ray_casting/camera_test.cpp
+expect "deleted files are named" 2 "camera.hpp \(deleted\), .*git restore chapters/01_ray_casting/camera.hpp" ./course hint 01.1
+expect "and come back" 0 "tests/01_ray_casting/camera_test.cpp was missing and is back" ./course reset 01
+[ -z "$(git status --porcelain)" ] || fail "all of them" "$(git status --porcelain)"
+same_times
+expect "then all is well" 1 "write step 01.1" ./course check 01
+
 # solve NUMBER...: writes the chapters as their solutions do.
 solve() {
     local number

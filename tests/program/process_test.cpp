@@ -43,6 +43,30 @@ TEST_CASE("a child that hangs is ended at its limit") {
     }
 }
 
+TEST_CASE("before it is killed a child may say where it is") {
+    ProcessOptions options;
+    options.time_limit = 0.2;
+    options.last_words = SIGQUIT;
+    for (const char* hang : {"while :; do :; done", "sleep 60"}) {
+        const auto result =
+            run_process({"bash", "-c", std::string("trap 'echo here; exit 3' QUIT; ") + hang}, options);
+        CHECK(result.timed_out);
+        CHECK(result.seconds < 10);
+        if (std::string_view(hang) != "sleep 60") CHECK(result.output == "here\n");
+    }
+    // One that has nothing to say ends at once, and one that does not listen is killed.
+    CHECK(run_process({"sleep", "60"}, options).signal == SIGQUIT);
+    CHECK(run_process({"sh", "-c", "trap '' QUIT; while :; do :; done"}, options).signal == SIGKILL);
+}
+
+TEST_CASE("who waits for a child can show that it waits, though it says nothing") {
+    int calls = 0;
+    ProcessOptions options;
+    options.while_waiting = [&] { ++calls; };
+    run_process({"sleep", "0.2"}, options);
+    CHECK(calls >= 2);
+}
+
 TEST_CASE("what others take of the time is not the child's") {
     cpu_set_t all, one;
     REQUIRE(sched_getaffinity(0, sizeof all, &all) == 0);

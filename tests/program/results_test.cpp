@@ -204,7 +204,9 @@ TEST_CASE("the compiler's first error is found among what a build says") {
           "chapters/02_spheres/x.cpp:5:9: error: 'y' was not declared");
     CHECK(first_error(project,
                       "a\n/usr/bin/ld: x.o: undefined reference to `f()'\ncollect2: error: ld returned 1 "
-                      "exit status\n") == "/usr/bin/ld: x.o: undefined reference to `f()'");
+                      "exit status\n") == "the function f() is called, and nowhere written");
+    CHECK(first_error(project, "/usr/bin/ld: x.o: multiple definition of `f()'\n") ==
+          "/usr/bin/ld: x.o: multiple definition of `f()'");
     CHECK(first_error(project, "first\nlast\n") == "last");
 }
 

@@ -121,6 +121,7 @@ done
 # ------------------------------------------------------------------------------------ a student's day
 
 set_step() { sed -i "s|return todo(\"$1\");|$2|" $exercise; }
+line_of() { grep -nE -- "$1" $exercise | tail -n 1 | cut -d: -f1; }  # of the last that has this
 start_again() { cp "$COURSE_BUILD/scratch/tiny.start" $exercise; }
 
 set_step 99.1 'return n + 1;'
@@ -136,12 +137,34 @@ expect_state "a wrong step" 99.2 failed
 
 start_again; set_step 99.1 'int* p = nullptr; return *(volatile int*)p;'; set_step 99.2 'return n + 2;'
 expect "a crash is named" 1 'crashed \(segmentation fault\) in the test "after one comes two"' ./course check 99
+expect "and its place" 1 " in next, $exercise:$(line_of nullptr)$" build/bin/course check 99
 expect_state "a crash costs its step" 99.1 failed
 expect_state "a crash costs its step" 99.2 passed
 
 start_again; set_step 99.1 'volatile bool on = true; while (on) {} return n;'; set_step 99.2 'return n + 2;'
 expect "a hang is named" 1 'did not finish in 10 s in the test "after one comes two"' ./course check 99
 expect_state "a hang costs its step" 99.2 passed
+expect "and its place is told" 0 "in next, $exercise:$(line_of while)\"" ./course list --json
+start_again; set_step 99.1 'return n + 1;'
+set_step 99.2 'std::vector<int> v(2); for (int i = 0; i <= n + 1; ++i) v[i + 0u] = i; return n + v[1];'
+sed -i 's/^namespace rt/#include <iostream>\n#include <vector>\n&/' $exercise
+expect "a step past the end of a vector" 1 " an index is out of range in after_next, $exercise:$(line_of 'vector<int> v')" \
+    ./course check 99
+start_again; set_step 99.1 'volatile int k = n; return next(n + 1) + k;'; set_step 99.2 'if (n > 1) return 3;'
+# Warnings, whether or not they are errors elsewhere.
+sed -i 's/^namespace rt/#pragma GCC diagnostic warning "-Wreturn-type"\n#pragma GCC diagnostic warning "-Winfinite-recursion"\n&/' $exercise
+expect "a recursion without end" 1 " next called itself without end, $exercise:$(line_of 'next\(n . 1\)')$" ./course check 99
+expect "the compiler warns of a missing return" 1 "$exercise:[0-9:]+ warning: .*-Wreturn-type" build/bin/course check 99
+start_again; set_step 99.1 'std::printf("n is %d\\n", n); return n + 1;'
+sed -i 's/^namespace rt/#include <cstdio>\n&/' $exercise
+expect "what they print is shown" 1 "^ *n is 1$" ./course check 99
+expect "with its test" 1 'Printed in the test "after one comes two"' build/bin/course check 99
+start_again; sed -i '/^int next/,/^$/d' $exercise
+expect "a function that was deleted is named" 1 "has no function int next\(int n\) of step 99.1; .*reset 99.1" \
+    ./course check 99
+expect "and comes back" 0 "$exercise has int next\(int n\) again" ./course reset 99.1
+cmp -s $exercise "$COURSE_BUILD/scratch/tiny.start" || fail "a function comes back where it was"
+rm $exercise.*.backup
 
 start_again; set_step 99.1 'return nextt(n);'
 expect "a compile error is shown" 1 "$exercise:[0-9]+:[0-9]+: error: .*nextt" ./course check 99
