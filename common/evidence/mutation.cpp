@@ -1,0 +1,201 @@
+// How well the tests of chapters notice mutants of their solutions.
+#include "common/evidence/mutation.hpp"
+
+#include "common/evidence/equivalent_mutants.hpp"
+#include "common/evidence/side_by_side.hpp"
+#include "common/image/whole_file.hpp"
+#include "common/terminal/console.hpp"
+#include "common/terminal/json_text.hpp"
+#include "common/terminal/lock.hpp"
+#include "common/terminal/process.hpp"
+#include "common/terminal/shell.hpp"
+#include "common/workbook/check.hpp"
+#include "common/workbook/exercise.hpp"
+#include "common/workbook/variants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A chapter's quick tests take less than a second; what takes this long hangs.
+constexpr double mutant_seconds = 5;
+
+std::string test_program_of(const Chapter& chapter) { return "check_" + chapter.number + "_solution"; }
+
+/// The text with one part of it exchanged, which must be there.
+std::string exchanged(const std::string& text, const std::string& part, const std::string& other) {
+    const auto at = text.find(part);
+    if (at == std::string::npos) throw std::runtime_error("the build's command has no '" + part + "'");
+    return std::string(text).replace(at, part.size(), other);
+}
+
+/// The build's own commands, as a shell reads them in the build directory.
+class Commands {
+public:
+    Commands(const Project& project, const Chapter& chapter)
+        : build_(project.build),
+          program_("bin/" + test_program_of(chapter)),
+          database_(read_json(read_file(project.build / "compile_commands.json"))) {
+        ProcessOptions whole;
+        whole.output_limit = 1 << 26;
+        const ProcessResult result =
+            run_process({"ninja", "-C", build_.string(), "-t", "commands", program_}, whole);
+        const std::vector<std::string> lines = split_lines(result.output);
+        if (!succeeded(result) || lines.empty()) throw std::runtime_error("ninja: " + result.output);
+        link_ = lines.back();
+    }
+
+    /// Compiles `source` in place of the solution's file.
+    std::string compile(const fs::path& file, const fs::path& source, const fs::path& object) const {
+        const std::string command = entry(file).at("command").get<std::string>();
+        return fmt::format("{} -w -Wno-error -o {} -c {}", command.substr(0, command.find(" -o ")),
+                           shell_word(object.string()), shell_word(source.string()));
+    }
+
+    /// Links the chapter's tests with `object` in place of the file's.
+    std::string link(const fs::path& file, const fs::path& object, const fs::path& program) const {
+        const std::string compile = entry(file).at("command").get<std::string>();
+        const auto begin = compile.find(" -o ") + 4;
+        const std::string was = compile.substr(begin, compile.find(" -c ", begin) - begin);
+        const std::string command =
+            exchanged(link_, " " + was + " ", " " + shell_word(object.string()) + " ");
+        return exchanged(command, " -o " + program_ + " ", " -o " + shell_word(program.string()) + " ");
+    }
+
+    bool run(const std::string& command) const {
+        return succeeded(run_process({"sh", "-c", "cd " + shell_word(build_.string()) + " && " + command}));
+    }
+
+private:
+    const nlohmann::json& entry(const fs::path& file) const {
+        for (const nlohmann::json& one : database_)
+            if (one.at("file") == file.string()) return one;
+        throw std::runtime_error(file.string() + " is not built");
+    }
+
+    fs::path build_;
+    std::string program_, link_;
+    nlohmann::json database_;
+};
+
+/// Whether the tests with these tags, as Catch2 selects them, all pass.
+bool passes(const fs::path& program, const std::string& tags) {
+    ProcessOptions options;
+    options.time_limit = mutant_seconds;
+    const ProcessResult result =
+        run_process({program.string(), "--quick", "--abort", "--order", "decl", tags}, options);
+    return succeeded(result) && !result.timed_out;
+}
+
+/// In a directory that no other has at the same time.
+Fate fate_of(const Commands& commands, const fs::path& solution, const std::string& text,
+             const Mutant& mutant, const fs::path& directory) {
+    const fs::path source = directory / "mutant.cpp", object = directory / "mutant.o",
+                   tests = directory / "tests";
+    write_file(source, mutated(text, mutant));
+    if (!commands.run(commands.compile(solution, source, object)) ||
+        !commands.run(commands.link(solution, object, tests)))
+        return Fate::NotCompiled;
+    if (!passes(tests, "[" + mutant.step + "]")) return Fate::Caught;
+    return passes(tests, "~[" + mutant.step + "]") ? Fate::Survived : Fate::CaughtLater;
+}
+
+/// So many of them, evenly spread.
+void keep_sample(std::vector<TriedMutant>& mutants, int sample) {
+    const auto wanted = static_cast<std::size_t>(std::max(sample, 0));
+    if (wanted == 0 || wanted >= mutants.size()) return;
+    std::vector<TriedMutant> kept;
+    for (std::size_t k = 0; k < wanted; ++k) kept.push_back(mutants[k * mutants.size() / wanted]);
+    mutants = std::move(kept);
+}
+
+/// The mutants to try, with the reasons of those that are listed as equivalent.
+Mutation mutants_to_try(const Project& project, const Chapter& chapter,
+                        const std::vector<std::string>& steps) {
+    const auto wanted = [&](const auto& of_step) {
+        return steps.empty() || std::find(steps.begin(), steps.end(), of_step.step) != steps.end();
+    };
+    std::vector<EquivalentMutant> listed = equivalent_mutants(project, chapter);
+    std::erase_if(listed, [&](const EquivalentMutant& entry) { return !wanted(entry); });
+    Mutation mutation{&chapter, {}, {}};
+    std::vector<Mutant> all;
+    for (const auto& [file, text] : solution_files(project, chapter))
+        for (const Mutant& mutant : mutants_of(text, "solutions/" + chapter.name + "/" + file)) {
+            if (!wanted(mutant)) continue;
+            const auto entry =
+                std::find_if(listed.begin(), listed.end(),
+                             [&mutant](const EquivalentMutant& known) { return is_about(known, mutant); });
+            mutation.tried.push_back({mutant, file, entry == listed.end() ? "" : entry->why});
+            all.push_back(mutant);
+        }
+    mutation.stale = stale_entries(listed, all, equivalent_list(chapter));
+    return mutation;
+}
+
+}  // namespace
+
+int Mutation::count(Fate fate) const {
+    return static_cast<int>(std::count_if(tried.begin(), tried.end(), [&](const TriedMutant& one) {
+        return one.equivalent.empty() && one.fate == fate;
+    }));
+}
+
+int Mutation::equivalent() const {
+    return static_cast<int>(std::count_if(tried.begin(), tried.end(),
+                                          [](const TriedMutant& one) { return !one.equivalent.empty(); }));
+}
+
+double Mutation::score() const {
+    const int caught = count(Fate::Caught) + count(Fate::CaughtLater), all = caught + count(Fate::Survived);
+    return all == 0 ? 1 : static_cast<double>(caught) / all;
+}
+
+std::vector<const TriedMutant*> Mutation::survivors() const {
+    std::vector<const TriedMutant*> found;
+    for (const TriedMutant& one : tried)
+        if (one.equivalent.empty() && one.fate == Fate::Survived) found.push_back(&one);
+    return found;
+}
+
+Mutation try_mutants(const Project& project, const Chapter& chapter, const std::vector<std::string>& steps,
+                     int sample) {
+    Mutation mutation = mutants_to_try(project, chapter, steps);
+    keep_sample(mutation.tried, sample);
+
+    const std::string target = test_program_of(chapter), label = "Mutants of chapter " + chapter.number;
+    const BuildResult build = build_targets(project, {target}, "Building chapter " + chapter.number);
+    if (!build.ok) throw std::runtime_error(build.message);
+    const Lock lock(build_lock(project), label);
+    if (!passes(program(project, target), "*"))
+        throw std::runtime_error("the solution does not pass its tests: ./course check " + chapter.number +
+                                 " --solutions");
+    const Commands commands(project, chapter);
+    const std::map<std::string, std::string> texts = solution_files(project, chapter);
+    Progress progress(label);
+    std::atomic<int> done = 0;
+    side_by_side(mutation.tried.size(), [&](std::size_t i) {
+        TriedMutant& one = mutation.tried[i];
+        const fs::path directory = own_directory(project) / fmt::format("mutant_{}", i);
+        make_directories(directory);
+        one.fate = fate_of(commands, project.root / "solutions" / chapter.name / one.file, texts.at(one.file),
+                           one.mutant, directory);
+        fs::remove_all(directory);
+        progress.update(++done / static_cast<double>(mutation.tried.size()));
+    });
+    for (const TriedMutant& one : mutation.tried)
+        if (!one.equivalent.empty() && (one.fate == Fate::Caught || one.fate == Fate::CaughtLater))
+            mutation.stale.push_back(fmt::format("{}: a test of step {} notices '{}' of '{}'",
+                                                 equivalent_list(chapter), one.mutant.step, one.mutant.to,
+                                                 one.mutant.from));
+    return mutation;
+}
+
+}  // namespace rt
