@@ -41,7 +41,7 @@ const Exchanges other_words{{"true", {"false"}},
 const Exchanges other_members{{"x", {"y"}}, {"y", {"x"}}, {"z", {"x"}}};
 
 /// Functions to which the order of two arguments is the same.
-const std::set<std::string_view> symmetric{"dot", "min", "max", "minmax", "hypot", "distance"};
+const std::set<std::string_view> symmetric{"dot", "min", "max", "minmax", "hypot", "distance", "swap"};
 const std::set<std::string_view> with_parentheses{"if",    "while",  "for",   "switch",
                                                   "catch", "return", "sizeof"};
 const std::set<std::string_view> of_declarations{"const", "constexpr", "auto", "using", "static", "struct"};
