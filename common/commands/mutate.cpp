@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <system_error>
 
 namespace rt {
 
@@ -46,11 +47,14 @@ std::string place_of(const Chapter& chapter, const TriedMutant& one) {
     return fmt::format("solutions/{}/{}:{}", chapter.name, one.file, one.mutant.line);
 }
 
-void print_survivors(const Mutation& mutation) {
-    for (const TriedMutant* one : mutation.survivors())
-        fmt::print("{}  step {}\n  {} {}\n  {} {}\n", place_of(*mutation.chapter, *one), one->mutant.step,
-                   paint("-", Tone::Good), one->mutant.from, paint("+", Tone::Bad), one->mutant.to);
-    for (const std::string& line : mutation.stale) fmt::print("{}\n", line);
+/// Whether it could be written, the end of the program tells.
+void print_survivor(const Chapter& chapter, const TriedMutant& one) {
+    try {
+        fmt::print("{}  step {}\n  {} {}\n  {} {}\n", place_of(chapter, one), one.mutant.step,
+                   paint("-", Tone::Good), one.mutant.from, paint("+", Tone::Bad), one.mutant.to);
+        flush_output();
+    } catch (const std::system_error&) {
+    }
 }
 
 void print_table(const std::vector<Mutation>& mutations) {
@@ -86,9 +90,12 @@ int run_mutate(const MutateCommand& command) {
     const std::vector<Chapter> chapters = read_catalogue(project);
     std::vector<Mutation> mutations;
     for (const Choice& choice : chosen(chapters, command.targets)) {
-        mutations.push_back(try_mutants(project, *choice.chapter, choice.steps, command.sample));
-        if (!command.json) print_survivors(mutations.back());
-        flush_output();
+        mutations.push_back(
+            try_mutants(project, *choice.chapter, choice.steps, command.sample, [&](const TriedMutant& one) {
+                if (!command.json) print_survivor(*choice.chapter, one);
+            }));
+        if (command.json) continue;
+        for (const std::string& line : mutations.back().stale) fmt::print("{}\n", line);
     }
     if (command.json) {
         auto list = ordered_json::array();

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <stdexcept>
 
 namespace rt {
@@ -95,17 +96,22 @@ bool passes(const fs::path& program, const std::string& tags) {
     return succeeded(result) && !result.timed_out;
 }
 
-/// In a directory that no other has at the same time.
+/// What becomes of `text` in place of the solution's file. The directory is made for this, and nobody else's.
 Fate fate_of(const Commands& commands, const fs::path& solution, const std::string& text,
-             const Mutant& mutant, const fs::path& directory) {
+             const std::string& step, const fs::path& directory) {
+    make_directories(directory);
     const fs::path source = directory / "mutant.cpp", object = directory / "mutant.o",
                    tests = directory / "tests";
-    write_file(source, mutated(text, mutant));
-    if (!commands.run(commands.compile(solution, source, object)) ||
-        !commands.run(commands.link(solution, object, tests)))
-        return Fate::NotCompiled;
-    if (!passes(tests, "[" + mutant.step + "]")) return Fate::Caught;
-    return passes(tests, "~[" + mutant.step + "]") ? Fate::Survived : Fate::CaughtLater;
+    write_file(source, text);
+    Fate fate = Fate::NotCompiled;
+    if (commands.run(commands.compile(solution, source, object)) &&
+        commands.run(commands.link(solution, object, tests))) {
+        fate = !passes(tests, "[" + step + "]")    ? Fate::Caught
+               : !passes(tests, "~[" + step + "]") ? Fate::CaughtLater
+                                                   : Fate::Survived;
+    }
+    fs::remove_all(directory);
+    return fate;
 }
 
 /// So many of them, evenly spread.
@@ -166,7 +172,7 @@ std::vector<const TriedMutant*> Mutation::survivors() const {
 }
 
 Mutation try_mutants(const Project& project, const Chapter& chapter, const std::vector<std::string>& steps,
-                     int sample) {
+                     int sample, const std::function<void(const TriedMutant&)>& survived) {
     Mutation mutation = mutants_to_try(project, chapter, steps);
     keep_sample(mutation.tried, sample);
 
@@ -174,21 +180,30 @@ Mutation try_mutants(const Project& project, const Chapter& chapter, const std::
     const BuildResult build = build_targets(project, {target}, "Building chapter " + chapter.number);
     if (!build.ok) throw std::runtime_error(build.message);
     const Lock lock(build_lock(project), label);
-    if (!passes(program(project, target), "*"))
-        throw std::runtime_error("the solution does not pass its tests: ./course check " + chapter.number +
-                                 " --solutions");
     const Commands commands(project, chapter);
     const std::map<std::string, std::string> texts = solution_files(project, chapter);
+    const auto fate = [&](const TriedMutant& one, const std::string& text, std::size_t number) {
+        return fate_of(commands, project.root / "solutions" / chapter.name / one.file, text, one.mutant.step,
+                       own_directory(project) / fmt::format("mutant_{}", number));
+    };
+    // If the solution did not come through as mutants do, all would seem to be caught.
+    if (!mutation.tried.empty()) {
+        const TriedMutant& first = mutation.tried.front();
+        if (fate(first, texts.at(first.file), 0) != Fate::Survived)
+            throw std::runtime_error("the solution does not pass its tests: ./course check " +
+                                     chapter.number + " --solutions");
+    }
     Progress progress(label);
     std::atomic<int> done = 0;
+    std::mutex telling;
     side_by_side(mutation.tried.size(), [&](std::size_t i) {
         TriedMutant& one = mutation.tried[i];
-        const fs::path directory = own_directory(project) / fmt::format("mutant_{}", i);
-        make_directories(directory);
-        one.fate = fate_of(commands, project.root / "solutions" / chapter.name / one.file, texts.at(one.file),
-                           one.mutant, directory);
-        fs::remove_all(directory);
+        one.fate = fate(one, mutated(texts.at(one.file), one.mutant), i);
         progress.update(++done / static_cast<double>(mutation.tried.size()));
+        if (one.fate != Fate::Survived || !one.equivalent.empty()) return;
+        const std::lock_guard guard(telling);
+        progress.clear();
+        survived(one);
     });
     for (const TriedMutant& one : mutation.tried)
         if (!one.equivalent.empty() && (one.fate == Fate::Caught || one.fate == Fate::CaughtLater))

@@ -39,10 +39,11 @@ struct Mutation {
 
 /// Makes the mutants of a chapter's steps, all for none, or `sample` of them, evenly spread, if it is
 /// positive; compiles each in place of its file, and runs a student's tests on it: those of its step, then
-/// the chapter's. Nobody else builds meanwhile. Throws InputError for a list of equivalent mutants that
-/// cannot be read, and std::runtime_error where the chapter's tests cannot be built, or do not pass on the
-/// solution.
+/// the chapter's. `survived` is told of each that no test notices and that is not listed as equivalent, one
+/// at a time, and must not throw. Nobody else builds meanwhile. Throws InputError for a list of equivalent
+/// mutants that cannot be read, and std::runtime_error where the chapter's tests cannot be built, or do not
+/// pass on the solution.
 Mutation try_mutants(const Project& project, const Chapter& chapter, const std::vector<std::string>& steps,
-                     int sample);
+                     int sample, const std::function<void(const TriedMutant&)>& survived);
 
 }  // namespace rt
