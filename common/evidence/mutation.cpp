@@ -5,7 +5,6 @@
 #include "common/evidence/side_by_side.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/terminal/console.hpp"
-#include "common/terminal/json_text.hpp"
 #include "common/terminal/lock.hpp"
 #include "common/terminal/process.hpp"
 #include "common/terminal/shell.hpp"
@@ -31,60 +30,60 @@ constexpr double mutant_seconds = 5;
 
 std::string test_program_of(const Chapter& chapter) { return "check_" + chapter.number + "_solution"; }
 
-/// The text with one part of it exchanged, which must be there.
-std::string exchanged(const std::string& text, const std::string& part, const std::string& other) {
-    const auto at = text.find(part);
-    if (at == std::string::npos) throw std::runtime_error("the build's command has no '" + part + "'");
-    return std::string(text).replace(at, part.size(), other);
-}
-
 /// The build's own commands, as a shell reads them in the build directory.
 class Commands {
 public:
     Commands(const Project& project, const Chapter& chapter)
-        : build_(project.build),
-          program_("bin/" + test_program_of(chapter)),
-          database_(read_json(read_file(project.build / "compile_commands.json"))) {
-        ProcessOptions whole;
-        whole.output_limit = 1 << 26;
+        : build_(project.build), program_("bin/" + test_program_of(chapter)), link_(command_for(program_)) {
+        for (const auto& [file, text] : solution_files(project, chapter)) {
+            const std::string object = fmt::format("CMakeFiles/solution_{}.dir/solutions/{}/{}.o",
+                                                   chapter.number, chapter.name, file);
+            const std::string compile = command_for(object);
+            // Flags stand first, then what is written where, in the names of ninja's own files.
+            compile_[file] = {object,
+                              compile.substr(0, std::min(compile.find(" -MD "), compile.find(" -o ")))};
+        }
+    }
+
+    /// Makes `program`, the chapter's tests with `source` in place of the solution's file; false if it does
+    /// not compile.
+    bool build(const std::string& file, const fs::path& source, const fs::path& program) const {
+        const auto& [was, flags] = compile_.at(file);
+        const std::string object = shell_word(fs::path(source).replace_extension(".o").string());
+        const std::string link =
+            exchanged(exchanged(link_, was, object), program_, shell_word(program.string()));
+        return run(fmt::format("{} -w -Wno-error -o {} -c {}", flags, object, shell_word(source.string()))) &&
+               run(link);
+    }
+
+private:
+    /// What ninja would run to make this file.
+    std::string command_for(const std::string& file) const {
         const ProcessResult result =
-            run_process({"ninja", "-C", build_.string(), "-t", "commands", program_}, whole);
+            run_process({"ninja", "-C", build_.string(), "-t", "commands", "-s", file});
         const std::vector<std::string> lines = split_lines(result.output);
         if (!succeeded(result) || lines.empty()) throw std::runtime_error("ninja: " + result.output);
-        link_ = lines.back();
+        return lines.back();
     }
 
-    /// Compiles `source` in place of the solution's file.
-    std::string compile(const fs::path& file, const fs::path& source, const fs::path& object) const {
-        const std::string command = entry(file).at("command").get<std::string>();
-        return fmt::format("{} -w -Wno-error -o {} -c {}", command.substr(0, command.find(" -o ")),
-                           shell_word(object.string()), shell_word(source.string()));
-    }
-
-    /// Links the chapter's tests with `object` in place of the file's.
-    std::string link(const fs::path& file, const fs::path& object, const fs::path& program) const {
-        const std::string compile = entry(file).at("command").get<std::string>();
-        const auto begin = compile.find(" -o ") + 4;
-        const std::string was = compile.substr(begin, compile.find(" -c ", begin) - begin);
-        const std::string command =
-            exchanged(link_, " " + was + " ", " " + shell_word(object.string()) + " ");
-        return exchanged(command, " -o " + program_ + " ", " -o " + shell_word(program.string()) + " ");
+    /// The command with another file in place of this one, which is a word of it.
+    static std::string exchanged(const std::string& command, const std::string& file,
+                                 const std::string& other) {
+        const auto at = command.find(" " + file + " ");
+        if (at == std::string::npos) throw std::runtime_error("the build's command has no " + file);
+        return std::string(command).replace(at + 1, file.size(), other);
     }
 
     bool run(const std::string& command) const {
         return succeeded(run_process({"sh", "-c", "cd " + shell_word(build_.string()) + " && " + command}));
     }
 
-private:
-    const nlohmann::json& entry(const fs::path& file) const {
-        for (const nlohmann::json& one : database_)
-            if (one.at("file") == file.string()) return one;
-        throw std::runtime_error(file.string() + " is not built");
-    }
-
+    struct Compile {
+        std::string object, flags;
+    };
     fs::path build_;
     std::string program_, link_;
-    nlohmann::json database_;
+    std::map<std::string, Compile> compile_;  ///< by the solution's file
 };
 
 /// Whether the tests with these tags, as Catch2 selects them, all pass.
@@ -97,19 +96,15 @@ bool passes(const fs::path& program, const std::string& tags) {
 }
 
 /// What becomes of `text` in place of the solution's file. The directory is made for this, and nobody else's.
-Fate fate_of(const Commands& commands, const fs::path& solution, const std::string& text,
+Fate fate_of(const Commands& commands, const std::string& file, const std::string& text,
              const std::string& step, const fs::path& directory) {
     make_directories(directory);
-    const fs::path source = directory / "mutant.cpp", object = directory / "mutant.o",
-                   tests = directory / "tests";
+    const fs::path source = directory / "mutant.cpp", tests = directory / "tests";
     write_file(source, text);
-    Fate fate = Fate::NotCompiled;
-    if (commands.run(commands.compile(solution, source, object)) &&
-        commands.run(commands.link(solution, object, tests))) {
-        fate = !passes(tests, "[" + step + "]")    ? Fate::Caught
-               : !passes(tests, "~[" + step + "]") ? Fate::CaughtLater
-                                                   : Fate::Survived;
-    }
+    const Fate fate = !commands.build(file, source, tests) ? Fate::NotCompiled
+                      : !passes(tests, "[" + step + "]")   ? Fate::Caught
+                      : !passes(tests, "~[" + step + "]")  ? Fate::CaughtLater
+                                                           : Fate::Survived;
     fs::remove_all(directory);
     return fate;
 }
@@ -183,7 +178,7 @@ Mutation try_mutants(const Project& project, const Chapter& chapter, const std::
     const Commands commands(project, chapter);
     const std::map<std::string, std::string> texts = solution_files(project, chapter);
     const auto fate = [&](const TriedMutant& one, const std::string& text, std::size_t number) {
-        return fate_of(commands, project.root / "solutions" / chapter.name / one.file, text, one.mutant.step,
+        return fate_of(commands, one.file, text, one.mutant.step,
                        own_directory(project) / fmt::format("mutant_{}", number));
     };
     // If the solution did not come through as mutants do, all would seem to be caught.
