@@ -74,6 +74,7 @@ public:
 
     std::vector<Mutant> all() {
         for (std::size_t i = part_.first; i < part_.last; ++i) {
+            if (at(i).is("reserve") && at(i + 1).is("(")) i = matching(i + 1);
             if (lexemes_[i].kind == Kind::Sign) change_sign(i);
             if (lexemes_[i].kind == Kind::Word) change_word(i);
             if (lexemes_[i].kind == Kind::Number) change_number(i);
@@ -145,12 +146,13 @@ private:
         std::erase(digits, '\'');
         const bool template_argument = at(i + 1).is(">") && !blank_after(i);
         if (template_argument) return;
-        if (!std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; }) ||
-            digits.size() > 9)
+        const std::size_t end = std::min(digits.find_first_not_of("0123456789"), digits.size());
+        const std::string suffix = digits.substr(end);
+        if (end == 0 || end > 9 || suffix.find_first_not_of("uUlL") != std::string::npos)
             return replace(number, "(2 * " + digits + ")");
         const int value = std::stoi(digits);
-        replace(number, std::to_string(value + 1));
-        if (value > 0) replace(number, std::to_string(value - 1));
+        replace(number, std::to_string(value + 1) + suffix);
+        if (value > 0) replace(number, std::to_string(value - 1) + suffix);
     }
 
     /// Of `if (…)`, `while (…)` or `for (…)` at i. Loops without an end are not made.
@@ -256,7 +258,8 @@ private:
             return i + 1;
         }
         const std::size_t after = after_simple(i);
-        if (!is_declaration(i) && !first.is("return") && after > i + 1) replace({i, after}, ";");
+        const bool reserves = at(i + 2).is("reserve");
+        if (!is_declaration(i) && !first.is("return") && !reserves && after > i + 1) replace({i, after}, ";");
         return after;
     }
 

@@ -26,7 +26,8 @@ struct Mutant {
 /// fraction is doubled), the conditions of `if`, `while`, `for` and `?:` (always true, always false),
 /// neighbours in lists of arguments, names that have an opposite (min and max, sin and cos, x and y), calls
 /// (`sqrt(x)` to
-/// `(x)`) and statements (left out). Not all that are made compile. Relies on the layout of clang-format:
+/// `(x)`) and statements (left out; `v.reserve(n)` only saves
+/// time and stays as it is). Not all that are made compile. Relies on the layout of clang-format:
 /// only operators between two operands have blanks on both sides.
 std::vector<Mutant> mutants_of(std::string_view solution, const std::string& file);
 

@@ -57,6 +57,7 @@ TEST_CASE("operators between operands have others in their place") {
 TEST_CASE("numbers are one more and one less, and fractions doubled") {
     check_mutants("return v[1];", {"return v[2];", "return v[0];"});
     check_mutants("return 0;", {"return 1;"});
+    check_mutants("return 1u;", {"return 2u;", "return 0u;"});
     check_mutants("return 0x1p-3;", {"return (2 * 0x1p-3);"});
     check_mutants("const std::array<Real, 3> a = b;", {});
 }
@@ -87,6 +88,7 @@ TEST_CASE("calls and names that have an opposite") {
 TEST_CASE("statements are left out where they declare and return nothing") {
     check_mutants("Real a = b;\nauto c = d;\nstd::vector<int> e;\nconst Vec3& f = g;\nreturn h;", {});
     check_mutants("a = b;", {";"});
+    check_mutants("a.reserve(n + 1);", {});
     check_mutants("for (const X& a : b) { if (c) continue; }",
                   {"for (const X& a : b) { if (true) continue; }",
                    "for (const X& a : b) { if (false) continue; }", "for (const X& a : b) { if (c) ; }"});
