@@ -258,7 +258,9 @@ private:
             return i + 1;
         }
         const std::size_t after = after_simple(i);
-        const bool reserves = at(i + 2).is("reserve");
+        std::size_t open = i;
+        while (open < after && !at(open).is("(")) ++open;
+        const bool reserves = at(open - 1).is("reserve");
         if (!is_declaration(i) && !first.is("return") && !reserves && after > i + 1) replace({i, after}, ";");
         return after;
     }

@@ -88,7 +88,7 @@ TEST_CASE("calls and names that have an opposite") {
 TEST_CASE("statements are left out where they declare and return nothing") {
     check_mutants("Real a = b;\nauto c = d;\nstd::vector<int> e;\nconst Vec3& f = g;\nreturn h;", {});
     check_mutants("a = b;", {";"});
-    check_mutants("a.reserve(n + 1);", {});
+    check_mutants("a.b.reserve(n + 1);", {});
     check_mutants("for (const X& a : b) { if (c) continue; }",
                   {"for (const X& a : b) { if (true) continue; }",
                    "for (const X& a : b) { if (false) continue; }", "for (const X& a : b) { if (c) ; }"});
