@@ -78,7 +78,7 @@ std::string not_started(const NotImplemented& error) {
 void hand_on_json(CommandLine& line) {
     line.check.json = line.render.json = line.compare.json = line.explain.json = line.trace.json =
         line.export_scene.json = line.tour.json = line.references.json = line.random.json = line.report.json =
-            line.handout.json = line.similarity.json = line.autograder.json = line.json;
+            line.handout.json = line.similarity.json = line.autograder.json = line.mutate.json = line.json;
     if (line.json) line.grade.format = "json";
 }
 

@@ -359,6 +359,17 @@ void add_figures(CommandLine& line) {
     sub->group(for_maintainers);
 }
 
+void add_mutate(CommandLine& line) {
+    CLI::App* sub =
+        add_command(line, "mutate",
+                    "change the solutions at one place at a time, and report what the tests do not notice",
+                    "mutate 02.1", [&line] { return run_mutate(line.mutate); });
+    sub->add_option("targets", line.mutate.targets, "such as 02 or 02.1; default: all chapters, for hours");
+    sub->add_option("--sample", line.mutate.sample, "only so many changes of each chapter")
+        ->transform(whole_number(1, 1'000'000));
+    sub->group(for_maintainers);
+}
+
 void add_new(CommandLine& line) {
     CLI::App* sub = add_command(line, "new", "a new chapter's rooms, with one step that is complete",
                                 "new 11_area_lights", [&line] { return run_new(line.chapter, line.json); });
@@ -370,7 +381,7 @@ void add_new(CommandLine& line) {
 void leave_out_in_handout(CommandLine& line) {
     if (has_solutions(this_project())) return;
     for (const char* name : {"solution", "tour", "report", "test", "grade", "similarity", "autograder",
-                             "handout", "references", "exercises", "figures", "new"}) {
+                             "handout", "references", "exercises", "figures", "mutate", "new"}) {
         CLI::App* command = line.app.get_subcommand(name);
         command->group("");
         command->callback([&line, name] {
@@ -396,7 +407,7 @@ void describe_commands(CommandLine& line) {
          {add_check,     add_list,    add_hint,       add_reset,      add_solution, add_render,
           add_compare,   add_explain, add_trace,      add_export,     add_tour,     add_report,
           add_test,      add_grade,   add_similarity, add_autograder, add_handout,  add_references,
-          add_exercises, add_figures, add_new})
+          add_exercises, add_figures, add_mutate,     add_new})
         add(line);
     leave_out_in_handout(line);
     refuse_empty_values(line.app);

@@ -30,6 +30,7 @@ struct CommandLine {
     SimilarityCommand similarity;
     ReferencesCommand references;
     RandomReferencesCommand random;
+    MutateCommand mutate;
     HandoutCommand handout;
     AutograderCommand autograder;
 };

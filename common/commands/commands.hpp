@@ -212,6 +212,17 @@ int run_random_references(const RandomReferencesCommand& command, const Project&
 /// `course test`: every test of the project; 1 if any fails.
 int run_test(bool quick, bool json);
 
+struct MutateCommand {
+    std::vector<std::string> targets;  ///< "02", "02.1"; empty: all chapters
+    int sample = 0;                    ///< so many mutants of each chapter; 0: all
+    bool json = false;
+};
+
+/// `course mutate`: changes the solutions at one place at a time and runs the tests
+/// (common/evidence/mutants.hpp); 1 if they do not notice one that is not listed as equivalent, or if a list
+/// is wrong.
+int run_mutate(const MutateCommand& command);
+
 /// `course exercises`: 1 if an exercise differs from what its solution generates; `make` writes it instead.
 int run_exercises(bool make, bool json);
 

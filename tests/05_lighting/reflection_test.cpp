@@ -153,6 +153,11 @@ TEST_CASE("Blinn: shininess 0 is a highlight all over, shininess 1e6 a pinprick"
     check_highlight(of_blinn, up, up, leaning(10), 1e6, 0, 1e-300);
 }
 
+TEST_CASE("Blinn: nothing at a right angle, of no shininess either", "[05.3]") {
+    check_highlight(of_blinn, up, {1, 0, 0}, {1, 0, 0}, 5, 0);
+    check_highlight(of_blinn, up, {1, 0, 0}, {1, 0, 0}, 0, 0);
+}
+
 TEST_CASE("Blinn: always between 0 and 1", "[05.3]") { check_range(blinn); }
 
 // --------------------------------------------------------------------------------------------- 05.4 Phong
@@ -178,6 +183,7 @@ TEST_CASE("Phong: nothing where the mirror direction is 90 degrees away or more"
     check_highlight(of_phong, {0, 1, 0}, {0.6, 0.8, 0}, {0.8, 0.6, 0}, 0.5, 0, 1e-7);
     check_highlight(of_phong, {0, 1, 0}, {0.6, 0.8, 0}, {0.96, 0.28, 0}, 0, 0);
     check_highlight(of_phong, {0, 1, 0}, {0.6, 0.8, 0}, {0.96, 0.28, 0}, 5, 0);
+    check_highlight(of_phong, up, up, {1, 0, 0}, 0, 0);
 }
 
 TEST_CASE("Phong: shininess 0 is a highlight all over, shininess 1e6 a pinprick", "[05.4]") {
@@ -233,6 +239,25 @@ TEST_CASE("a shiny surface adds specular · highlight", "[05.5]") {
     check("Blinn", {0.5, 0.375, 1.5});
     material.highlight = Highlight::Phong;
     check("Phong", {0.5, 0.125, 0.5});
+}
+
+TEST_CASE("a white highlight of light from the side", "[05.5]") {
+    const LightSample light{.direction = leaning(60), .distance = 1, .color = {1, 2, 4}};
+    Material material = matt({0.5, 0, 0});
+    material.specular = Vec3(1);
+    material.shininess = 2;
+    const auto check = [&](const char* name, const Vec3& expected) {
+        INFO(
+            "light of colour (1, 2, 4) at 60 degrees from the normal, the viewer straight above; diffuse "
+            "(0.5, "
+            "0, 0), specular (1, 1, 1), shininess 2, highlight by "
+            << name << ": the reflected light");
+        CHECK(near_color(reflected_light(material, up, up, light, Vec3(1)), expected, bound));
+    };
+    // The part by Lambert's law is 0.25; h is at 30 degrees from the normal, r at 60 from the viewer.
+    check("Blinn", {1, 1.5, 3});
+    material.highlight = Highlight::Phong;
+    check("Phong", {0.5, 0.5, 1});
 }
 
 TEST_CASE("light from behind gives nothing, not even a highlight", "[05.5]") {

@@ -93,6 +93,15 @@ TEST_CASE("attenuation 0 0 0 gives nothing rather than infinity", "[05.1]") {
     check_sample(sample_light(light, Vec3(0)), {0, 1, 0}, 3, Vec3(0));
 }
 
+TEST_CASE("a lamp is black where one channel alone would be infinite", "[05.1]") {
+    for (int channel = 0; channel < 3; ++channel) {
+        PointLight light{.position = {0, 3, 0}, .color = Vec3(1), .attenuation = {1e-20, 0, 0}};
+        light.color[channel] = 1e300;
+        INFO(light << "\nseen from (0, 0, 0): divided by 1e-20, one channel is not a finite number");
+        check_sample(sample_light(light, Vec3(0)), {0, 1, 0}, 3, Vec3(0));
+    }
+}
+
 TEST_CASE("light is a finite number however near or far the lamp", "[05.1]") {
     for (int exponent = -320; exponent <= 308; ++exponent) {
         const Real distance = std::pow(10.0, exponent);

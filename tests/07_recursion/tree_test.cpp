@@ -200,6 +200,17 @@ TEST_CASE("a mirror mirrors on both sides, whichever way its normal points", "[0
     }
 }
 
+TEST_CASE("an opaque mirror mirrors by its specular colour, whatever Fresnel's law it names", "[07.5]") {
+    for (const char* law : {"exact", "schlick"}) {
+        const World world =
+            world_of(std::string("specular .5 .25 1\nior 1.5\nfresnel ") + law + "\nplane 0 0 0 0 0 1\n");
+        const Branches next = scatter_at(world, forward);
+        INFO("a mirror of specular (0.5, 0.25, 1) without transmission, ior 1.5, fresnel " << law);
+        check_count(next, 1);
+        check_weight(next.branch[0], {0.5, 0.25, 1});
+    }
+}
+
 TEST_CASE("a matte surface sends nothing on", "[07.5]") {
     check_count(
         scatter_at(world_of("diffuse 1 1 1\nplane 0 0 0 0 0 1\nspecular 1 0 0\nsphere 9 9 9 1\n"), forward),
@@ -226,6 +237,24 @@ TEST_CASE("glass by Fresnel's formulas sends R one way and 1 - R times its colou
         CHECK(mirrored.ray.origin.z >= 1);
         CHECK(through.ray.origin.z <= 1);
     }
+}
+
+TEST_CASE("glass that is met aslant mirrors by the law that it names", "[07.5]") {
+    // The cosine is 0.28, and by Snell's law the sine inside 0.96 / 1.5.
+    const Real inside = std::sqrt(1 - 0.64 * 0.64);
+    const Real across = (0.28 - 1.5 * inside) / (0.28 + 1.5 * inside);
+    const Real along = (1.5 * 0.28 - inside) / (1.5 * 0.28 + inside);
+    const auto check = [](const char* law, Real part) {
+        const World world =
+            world_of(std::string("transmission 1 1 1\nior 1.5\nfresnel ") + law + "\nplane 0 0 0 0 0 1\n");
+        const Branches next = scatter_at(world, {{0, 0, 1}, {0.96, 0, -0.28}});
+        INFO("glass of ior 1.5, met at a cosine of 0.28, fresnel " << law);
+        check_count(next, 2);
+        check_weight(next.branch[0], Vec3(part), 32 * u);
+        check_weight(next.branch[1], Vec3(1 - part), 32 * u);
+    };
+    check("exact", (across * across + along * along) / 2);
+    check("schlick", 0.04 + 0.96 * std::pow(0.72, 5));
 }
 
 TEST_CASE("without a Fresnel law glass mirrors by its specular colour and lets all its colour through",
@@ -353,6 +382,15 @@ TEST_CASE("from a smooth surface rays leave on the right side of its flat triang
                 REQUIRE(near_direction(next.branch[0].ray.direction, {d.x, d.y, -d.z}, 8 * u));
                 ++total;
             }
+            if (leaving && next.count == 2) {
+                Vec3 mirrored = d - 2 * dot(d, lean) * lean;
+                if (mirrored.z > 0) mirrored.z = -mirrored.z;
+                INFO("ray along " << show(d) << ", inside the glass, from where a part gets out");
+                INFO(
+                    "the other part is mirrored at the leaning normal, and turned back into the glass: its "
+                    "direction");
+                REQUIRE(near_direction(next.branch[0].ray.direction, mirrored, 16 * u));
+            }
             if (world != &glass || leaving) continue;
             // By Snell's law for the leaning normal: does the refracted ray get through the triangle at all?
             const Vec3 n = dot(lean, d) > 0 ? -lean : lean;
@@ -460,6 +498,22 @@ TEST_CASE("the tree of a glass ball in a mirrored room needs no more memory than
                       << " bytes a ray: how many bytes there are at once, at most");
     CHECK(most_taken <= 3 * static_cast<std::size_t>(depth + 1) * one_ray + 256);
     CHECK(most_taken >= sizeof(Branch));  // memory was counted
+}
+
+TEST_CASE("rays are counted by their kinds", "[07.6]") {
+    const auto check = [](const std::string& ball, const Vec3& from, unsigned mirrored, unsigned refracted) {
+        const World world =
+            world_of("maxdepth 3\nspecular 1 1 1\nplane 0 0 -2 0 0 1\nspecular 0 0 0\n" + ball);
+        const RayCounts before = ray_counts();
+        radiance(world, {from, {0, 0, -1}});
+        INFO("a camera ray from " << from << " along -z, a mirror in z = -2, maxdepth 3, " << ball);
+        INFO("how many mirrored rays, and how many refracted ones, are counted");
+        CHECK(ray_counts().reflection - before.reflection == mirrored);
+        CHECK(ray_counts().refraction - before.refraction == refracted);
+    };
+    const std::string ball = "transmission 1 1 1\nior 1.5\nsphere 0 0 0 1\n";
+    check(ball, {3, 0, 5}, 1, 0);
+    check(ball, {0, 0, 5}, 1, 2);
 }
 
 TEST_CASE("glass absorbs along the way through it", "[07.6]") {

@@ -58,8 +58,9 @@ TEST_CASE("beyond the rim there is nothing", "[10.3]") {
     check_miss(lid, {{0, 2, 0}, {4, -1, 0}}, ahead);
 }
 
-TEST_CASE("a parallel ray misses the disc, also one that lies in it", "[10.3]") {
+TEST_CASE("a parallel ray misses the disc, above, below and in it", "[10.3]") {
     check_miss(lid, {{-9, 1, 0}, {1, 0, 0}}, ahead);
+    check_miss(lid, {{-9, -1, 0}, {1, 0, 0}}, ahead);
     check_miss(lid, {{-9, 0, 0}, {1, 0, 0}}, ahead);
 }
 

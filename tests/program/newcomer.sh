@@ -63,7 +63,7 @@ expect "it is taken back, and kept" 0 "camera.cpp.001.backup" ./course reset 01.
 
 program=build/bin/course
 expect "hidden chapters are not listed" 2 "there is no chapter '6'; there are 01, 02" $program check 6
-for command in "tour" "test" "report" "references" "exercises" "figures" "new 10_lights" "solution 01.1" \
+for command in "tour" "test" "report" "references" "exercises" "figures" "mutate" "new 10_lights" "solution 01.1" \
     "handout x" "grade x" "similarity x" "autograder x" "check 01 --solutions" \
     "render references/01_ray_casting/planes.scene --solutions" \
     "trace references/01_ray_casting/planes.scene 1 1 --against solutions"; do

@@ -96,12 +96,26 @@ TEST_CASE("a command line that lacks something is refused in one line") {
     }
 }
 
+TEST_CASE("mutate tells of each chapter what became of its mutants") {
+    const Outcome outcome = course("mutate 02.1 --sample 3 --json");
+    CHECK(outcome.status == 0);
+    const json chapters = json::parse(outcome.out)["chapters"];
+    REQUIRE(chapters.size() == 1);
+    CHECK(keys(chapters[0]) == Keys{"caught", "caught_by_other_step", "equivalent", "id", "not_compiled",
+                                    "score", "stale", "survived"});
+    CHECK(chapters[0]["id"] == "02_spheres");
+    CHECK(chapters[0]["caught"].get<int>() + chapters[0]["not_compiled"].get<int>() == 3);
+    CHECK(chapters[0]["score"] == 1);
+    check_refused("mutate 2 --sample 0",
+                  "--sample: '0' is not a whole number from 1 to 1000000 (./course mutate --help shows how)");
+}
+
 TEST_CASE("every command has help with an example") {
     const Outcome all = course("--help");
     CHECK(all.status == 0);
     for (const char* command :
          {"tour", "test", "list", "check", "hint", "reset", "solution", "render", "compare", "explain",
-          "export", "report", "references", "exercises", "figures", "handout"}) {
+          "export", "report", "references", "exercises", "figures", "mutate", "handout"}) {
         INFO("command := " << command);
         CHECK(all.out.find(std::string("\n  ") + command) != std::string::npos);
         const Outcome help = course(std::string(command) + " --help");

@@ -117,6 +117,11 @@ for number in 1 2; do
     cmake --build build --target variants_97_$number >/dev/null
     expect "its variants pass" 0 "2 passed" build/bin/variants_97_$number
 done
+expect "its tests notice each change of its solution" 0 "100.0 %" ./course mutate 97.1
+printf 'step 97.1\nfrom a;\nto   b;\nwhy  It is.\n' >tests/97_fresh/variants/equivalent.mutants
+expect "of changes that are right one is listed that is not made" 1 \
+    "variants/equivalent.mutants:3: step 97.1 has no mutant 'b;' of 'a;'" ./course mutate 97 --sample 1
+rm tests/97_fresh/variants/equivalent.mutants
 
 # ------------------------------------------------------------------------------------ a student's day
 

@@ -138,6 +138,7 @@ constexpr Elsewhere elsewhere[] = {
     {"reset", "tests/program/scratch_course.sh", "./course reset 99.1"},
     {"solution", "tests/program/scratch_course.sh", "./course solution 99.1"},
     {"new", "tests/program/scratch_course.sh", "./course new 97_fresh"},
+    {"mutate", "tests/program/scratch_course.sh", "./course mutate 97.1"},
     {"grade", "tests/program/guide.sh", "follow README.md"},
     {"similarity", "tests/program/guide.sh", "follow README.md"},
     {"autograder", "tests/program/guide.sh", "follow REFERENCE.md"},
