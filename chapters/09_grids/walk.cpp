@@ -48,21 +48,21 @@ bool search_cells(const Grid& grid, Search& search, Interval part);
 
 /// Asks the shapes that the cell lists; t is the part of the ray in it. Returns whether the search is over.
 bool ask_cell(const Grid& grid, std::size_t number, Interval t, Search& search) {
-    // 09.7  The cell's shapes are grid.items from number grid.first[number] up to, but not
+    // 09.13  The cell's shapes are grid.items from number grid.first[number] up to, but not
     // including, grid.first[number + 1]. If there are any, call search.ask for them, all at once, and keep in
     // search.end what it returns. Return true if nothing that is left can be as near as search.end: a hit
     // that was found may lie in a later cell, where others are nearer, and just at t.max another may be as
     // near.
-    return todo("09.7");
+    return todo("09.13");
 }
 
 /// Asks the cells of the grid that a cell has of its own; t is the part of the ray in the outer cell. Returns
 /// whether the search is over.
 bool search_inner(const Grid& inner, Interval t, Search& search) {
-    // 09.8  Search the inner grid's cells (search_cells) in the part t. If that does not end the
-    // search, it may be over all the same, as in 09.7: the inner grid is only as large as its shapes, and the
+    // 09.14  Search the inner grid's cells (search_cells) in the part t. If that does not end the
+    // search, it may be over all the same, as in 09.13: the inner grid is only as large as its shapes, and the
     // ray may have left it long before t.max.
-    return todo("09.8");
+    return todo("09.14");
 }
 
 /// Goes through the grid's cells in this part of the ray. Returns whether the search is over.

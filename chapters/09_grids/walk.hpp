@@ -25,11 +25,11 @@ std::vector<CellVisit> cells_along(const GridShape& shape, const Ray& ray, Inter
 /// and its numbers in the range of Real. Rays from beyond the grid's reach ask every shape instead. Given.
 bool serves(const Grid& grid, const Ray& ray);
 
-/// [09.7] Asks the shapes in the cells along the ray, cell by cell, until nothing that is left can be as near
+/// [09.13] Asks the shapes in the cells along the ray, cell by cell, until nothing that is left can be as near
 /// as a hit that was found. What `ask` is told is what a cell lists, and the part of the ray in that cell; it
 /// returns how far along the ray there is still something to find.
 ///
-/// [09.8] In a cell with a grid of its own, the cells of that along the ray are asked in its place.
+/// [09.14] In a cell with a grid of its own, the cells of that along the ray are asked in its place.
 ///
 /// The ray must be one that the grid serves. Adds the cells it enters to search_counts().
 void search(const Grid& grid, const Ray& ray, Interval range, const Ask& ask);

@@ -47,9 +47,9 @@ std::string step_of(const std::string& quantity, const ordered_json& ray) {
     if (quantity == "skylight") return "11.9";
     if (quantity == "hit" || quantity == "primitive" || quantity == "t" || quantity == "line" ||
         quantity == "shape")
-        return shape == "sphere" ? "02.3" : triangle ? "03.4" : shape == "polygon" ? "03.2" : "01.4";
+        return shape == "sphere" ? "02.3" : triangle ? "03.7" : shape == "polygon" ? "03.2" : "01.4";
     if (quantity == "point" || quantity == "normal")
-        return shape == "sphere" ? "02.4" : triangle ? "03.5" : "01.4";
+        return shape == "sphere" ? "02.4" : triangle ? "03.8" : "01.4";
     return "05.5";
 }
 /// The step of the lobe of a finish.

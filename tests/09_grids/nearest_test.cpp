@@ -80,7 +80,7 @@ std::vector<Ray> rays_at_ball(int count) {
 
 }  // namespace
 
-TEST_CASE("a shape may be hit far ahead of the cell in which it is asked", "[09.7]") {
+TEST_CASE("a shape may be hit far ahead of the cell in which it is asked", "[09.13]") {
     // The ray comes into its cells at a quarter of its length, and meets it near the end.
     const std::vector<Triangle> triangles{{{0, 0.8, 0}, {10, 0.92, 0}, {10, 0.92, 2}}};
     const Ray ray{{-1, 0.9, 0.5}, {1, 0, 0}};
@@ -91,7 +91,7 @@ TEST_CASE("a shape may be hit far ahead of the cell in which it is asked", "[09.
     CHECK(test::same_hit(hit, alone));
 }
 
-TEST_CASE("the nearest of a row of spheres", "[09.7]") {
+TEST_CASE("the nearest of a row of spheres", "[09.13]") {
     const std::vector<Sphere> spheres = row_of_spheres(10);
     const Grid grid = grid_of(spheres);
     REQUIRE(grid.shape.cells.x > 10);
@@ -114,7 +114,7 @@ TEST_CASE("the nearest of a row of spheres", "[09.7]") {
     CHECK_FALSE(nearest(grid, spheres, {{0.5, -5, 0}, {0, 1, 0}}));
 }
 
-TEST_CASE("a hit in a later cell does not hide a nearer one of another shape", "[09.7]") {
+TEST_CASE("a hit in a later cell does not hide a nearer one of another shape", "[09.13]") {
     // The long triangle is asked first, because it reaches into the first cell, but the ray meets it far
     // away.
     const std::vector<Triangle> triangles{{{0, 0.8, 0}, {10, 0.92, 0}, {10, 0.92, 2}},
@@ -135,7 +135,7 @@ TEST_CASE("a hit in a later cell does not hide a nearer one of another shape", "
     CHECK(naive->primitive == 0);
 }
 
-TEST_CASE("of equal distances the lowest index wins, in whichever cell it is met", "[09.7]") {
+TEST_CASE("of equal distances the lowest index wins, in whichever cell it is met", "[09.13]") {
     const Triangle t{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}};
     const std::vector<Triangle> same(20, t);
     const std::optional<Hit> first = nearest(grid_of(same), same, {{0, 0.2, 0.2}, {1, 0, 0}});
@@ -158,7 +158,7 @@ TEST_CASE("of equal distances the lowest index wins, in whichever cell it is met
     CHECK(test::same_hit(other, Hit{.t = 10, .primitive = 0}));
 }
 
-TEST_CASE("no shape is asked twice, and none behind the hit", "[09.7]") {
+TEST_CASE("no shape is asked twice, and none behind the hit", "[09.13]") {
     Random random(931);
     std::vector<Triangle> triangles;
     for (int k = 0; k < 200; ++k)  // long ones, each in many cells
@@ -194,7 +194,7 @@ TEST_CASE("no shape is asked twice, and none behind the hit", "[09.7]") {
     CHECK(none.shapes <= 100);
 }
 
-TEST_CASE("an instance in many cells takes the ray through its mesh once", "[09.7]") {
+TEST_CASE("an instance in many cells takes the ray through its mesh once", "[09.13]") {
     SharedMesh mesh;
     for (int k = 0; k < 100; ++k) {  // stairs, with nothing where the ray passes
         const Real y = k * 0.01;
@@ -224,7 +224,7 @@ TEST_CASE("an instance in many cells takes the ray through its mesh once", "[09.
     if (hit && expected) CHECK(hit->element == expected->element);
 }
 
-TEST_CASE("rays from beyond the reach, or with numbers out of range, ask all the shapes", "[09.7]") {
+TEST_CASE("rays from beyond the reach, or with numbers out of range, ask all the shapes", "[09.13]") {
     const std::vector<Sphere> spheres = row_of_spheres(10);
     const Grid grid = grid_of(spheres);
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
@@ -242,7 +242,7 @@ TEST_CASE("rays from beyond the reach, or with numbers out of range, ask all the
     }
 }
 
-TEST_CASE("the numbers of rays begin anew after 2^32, and nothing old is mistaken", "[09.7]") {
+TEST_CASE("the numbers of rays begin anew after 2^32, and nothing old is mistaken", "[09.13]") {
     const std::vector<Sphere> spheres = row_of_spheres(10);
     const Grid grid = grid_of(spheres);
     const Ray ray{{-5, 0, 0}, {1, 0, 0}};
@@ -255,7 +255,7 @@ TEST_CASE("the numbers of rays begin anew after 2^32, and nothing old is mistake
     }
 }
 
-TEST_CASE("behind an inner grid, and behind the shapes in it, the search goes on", "[09.8]") {
+TEST_CASE("behind an inner grid, and behind the shapes in it, the search goes on", "[09.14]") {
     // Forty small spheres near each other, in two rows beside the ray, and one far behind them.
     std::vector<Sphere> spheres{{{0, 0, 0}, 0.1}};
     for (int k = 0; k < 40; ++k) spheres.push_back({{4 + 0.02 * k, k % 2 == 0 ? 0.3 : -0.3, 0}, 0.005});
@@ -286,7 +286,7 @@ TEST_CASE("behind an inner grid, and behind the shapes in it, the search goes on
     CHECK(any_hit(grid, spheres, {{2, -0.3, 0}, {1, 0, 0}}, {0, 2.1}, mailbox) == true);
 }
 
-TEST_CASE("a ball in a stadium: one grid asks nearly all of it, a grid of grids asks a few", "[09.8]") {
+TEST_CASE("a ball in a stadium: one grid asks nearly all of it, a grid of grids asks a few", "[09.14]") {
     const std::vector<Triangle> triangles = ball_in_stadium();
     const Grid uniform = grid_of(triangles, {.nested = false});
     const Grid nested = grid_of(triangles);
@@ -317,7 +317,7 @@ TEST_CASE("a ball in a stadium: one grid asks nearly all of it, a grid of grids 
     CHECK(by_many < 30);
 }
 
-TEST_CASE("any hit will do, and ends the search", "[09.7]") {
+TEST_CASE("any hit will do, and ends the search", "[09.13]") {
     const std::vector<Sphere> spheres = row_of_spheres(100);
     const Grid grid = grid_of(spheres);
     Mailbox mailbox;
@@ -341,7 +341,7 @@ TEST_CASE("any hit will do, and ends the search", "[09.7]") {
     CHECK(first.shapes == 1);
 }
 
-TEST_CASE("any hit counts wherever on the ray it is: a long shape may be hit far ahead", "[09.7]") {
+TEST_CASE("any hit counts wherever on the ray it is: a long shape may be hit far ahead", "[09.13]") {
     const std::vector<Triangle> triangles{{{0, 0.8, 0}, {10, 0.92, 0}, {10, 0.92, 2}},
                                           {{5, 0, 0}, {5, 2, 0}, {5, 0, 2}}};
     const Grid grid = grid_of(triangles, {.density = 50});
@@ -357,7 +357,7 @@ TEST_CASE("any hit counts wherever on the ray it is: a long shape may be hit far
     CHECK(counts.shapes == 1);
 }
 
-TEST_CASE("a shadow ray in a crowd asks a few shapes, each once", "[09.8]") {
+TEST_CASE("a shadow ray in a crowd asks a few shapes, each once", "[09.14]") {
     const std::vector<Triangle> triangles = ball_in_stadium();
     const Grid grid = grid_of(triangles);
     Mailbox mailbox;

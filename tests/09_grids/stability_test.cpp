@@ -161,19 +161,19 @@ TEST_CASE("the walk is exact, and the one that adds up is not", "[09.6][stabilit
     CHECK(farthest_added > 4 * allowed_outside);
 }
 
-TEST_CASE("the nearest hit by a grid is, to the bit, the nearest of all", "[09.7][stability]") {
+TEST_CASE("the nearest hit by a grid is, to the bit, the nearest of all", "[09.13][stability]") {
     check_families(judge_nearest, cases(50'000), false);
 }
 
-TEST_CASE("any hit by a grid is whether there is one at all", "[09.7][stability]") {
+TEST_CASE("any hit by a grid is whether there is one at all", "[09.13][stability]") {
     check_families(judge_any, cases(25'000), false);
 }
 
-TEST_CASE("the nearest hit by grids in grids is, to the bit, the nearest of all", "[09.8][stability]") {
+TEST_CASE("the nearest hit by grids in grids is, to the bit, the nearest of all", "[09.14][stability]") {
     check_families(judge_nearest, cases(50'000), true);
 }
 
-TEST_CASE("any hit by grids in grids is whether there is one at all", "[09.8][stability]") {
+TEST_CASE("any hit by grids in grids is whether there is one at all", "[09.14][stability]") {
     check_families(judge_any, cases(25'000), true);
 }
 
