@@ -345,32 +345,6 @@ TEST_CASE("a hit out of the range is none", "[03.6]") {
 
 // ---------------------------------------------------------------------------------------------- 03.7
 
-TEST_CASE("rays exactly at an edge or corner hit, in every order of the corners", "[03.7]") {
-    // None of these numbers is rounded: a slanted triangle, and rays at whole multiples of an edge's tenth.
-    const Vec3 a(3, -7, 11), step(2, 5, -3), b = a + 10.0 * step, c(-20, 13, 4);
-    for (int i = 0; i <= 10; ++i) {
-        for (const Vec3& origin : {Vec3(50, 1, -60), Vec3(-17, -90, 33), Vec3(1, 2, 300)}) {
-            const Vec3 direction = a + Real(i) * step - origin;
-            INFO("exactly at " << i << " tenths of the edge from " << a << " to " << b);
-            check_hit({a, b, c}, {origin, direction});
-            check_hit({b, c, a}, {origin, direction});
-            check_hit({c, a, b}, {origin, direction});
-            check_hit({c, b, a}, {origin, direction});
-        }
-    }
-}
-
-TEST_CASE("a ray that passes a corner by the last bit of a coordinate misses", "[03.7]") {
-    // The corner (1, 1, 0) is seen from above, and from 1 aside; beyond it is nothing.
-    const Triangle triangle{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
-    const Real above = std::nextafter(1.0, 2.0), below = std::nextafter(1.0, 0.0);
-    check_hit(triangle, {{1, 1, 5}, {0, 0, -1}});
-    check_miss(triangle, {{1, above, 5}, {0, 0, -1}});
-    check_miss(triangle, {{above, 1, 5}, {0, 0, -1}});
-    check_miss(triangle, {{below, 1, 5}, {0, 0, -1}});
-    check_hit(triangle, {{1, below, 5}, {0, 0, -1}});
-}
-
 TEST_CASE("a ray down onto the triangle hits it at its height, weights by head", "[03.7]") {
     check_hit_at(right_angled, {{1, 2, 5}, {0, 0, -1}}, 5, {0.25, 0.5});
 }
@@ -413,6 +387,32 @@ TEST_CASE("a triangle seen edge-on is missed", "[03.7]") {
     check_miss(right_angled, {{-3, 1, 0}, {1, 0, 0}});
     check_miss(right_angled, {{1, -3, 0}, {0, 1, 0}});
     check_miss(right_angled, {{-1, -1, 0}, {1, 1, 0}});
+}
+
+TEST_CASE("rays exactly at an edge or corner hit, in every order of the corners", "[03.7]") {
+    // None of these numbers is rounded: a slanted triangle, and rays at whole multiples of an edge's tenth.
+    const Vec3 a(3, -7, 11), step(2, 5, -3), b = a + 10.0 * step, c(-20, 13, 4);
+    for (int i = 0; i <= 10; ++i) {
+        for (const Vec3& origin : {Vec3(50, 1, -60), Vec3(-17, -90, 33), Vec3(1, 2, 300)}) {
+            const Vec3 direction = a + Real(i) * step - origin;
+            INFO("exactly at " << i << " tenths of the edge from " << a << " to " << b);
+            check_hit({a, b, c}, {origin, direction});
+            check_hit({b, c, a}, {origin, direction});
+            check_hit({c, a, b}, {origin, direction});
+            check_hit({c, b, a}, {origin, direction});
+        }
+    }
+}
+
+TEST_CASE("a ray that passes a corner by the last bit of a coordinate misses", "[03.7]") {
+    // The corner (1, 1, 0) is seen from above, and from 1 aside; beyond it is nothing.
+    const Triangle triangle{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+    const Real above = std::nextafter(1.0, 2.0), below = std::nextafter(1.0, 0.0);
+    check_hit(triangle, {{1, 1, 5}, {0, 0, -1}});
+    check_miss(triangle, {{1, above, 5}, {0, 0, -1}});
+    check_miss(triangle, {{above, 1, 5}, {0, 0, -1}});
+    check_miss(triangle, {{below, 1, 5}, {0, 0, -1}});
+    check_hit(triangle, {{1, below, 5}, {0, 0, -1}});
 }
 
 TEST_CASE("a triangle without area is missed, wherever the ray points", "[03.7]") {
