@@ -41,7 +41,7 @@ std::optional<Hit> hit_plane(const Polygon& polygon, const Ray& ray, Interval ra
 /// size. Given.
 bool is_close(std::span<const Vec2> outline, Real size);
 
-/// [03.7] Hit of the ray with the polygon in (range.min, range.max], or nothing. Both sides count; a polygon
+/// [03.10] Hit of the ray with the polygon in (range.min, range.max], or nothing. Both sides count; a polygon
 /// without area is missed.
 ///
 /// `t` is that of `hit_plane`. Whether the ray passes inside is decided exactly, by the even-odd rule, on

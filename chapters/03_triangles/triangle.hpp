@@ -25,12 +25,6 @@ Vec3 unit_normal(const Triangle& triangle);
 /// without area.
 std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point);
 
-/// [03.4] Twice the signed area of the triangle (0, p, q): p.x·q.y − p.y·q.x, positive where the turn from p
-/// to q is counterclockwise. The sign is exact and the relative error at most 3u, also where the products
-/// nearly cancel (short of underflow; Dekker 1971), and edge_function(q, p) = −edge_function(p, q) to the
-/// bit.
-Real edge_function(const Vec2& p, const Vec2& q);
-
 /// All that the watertight test needs of a ray.
 struct ShearedRay {
     Ray ray;
@@ -48,7 +42,21 @@ inline ShearedRay prepared(ShapeTag<Triangle>, const Ray& ray) { return shear(ra
 /// so that the ray itself is the z axis: (x − slope.x·z, y − slope.y·z, z).
 Vec3 seen(const ShearedRay& ray, const Vec3& point);
 
-/// [03.4] Hit of the ray with the triangle in (range.min, range.max], or nothing; both sides count.
+/// [03.5] Twice the signed area of the triangle (0, p, q): p.x·q.y − p.y·q.x, positive where the turn from p
+/// to q is counterclockwise. The sign is exact and the relative error at most 3u, also where the products
+/// nearly cancel (short of underflow; Dekker 1971), and edge_function(q, p) = −edge_function(p, q) to the
+/// bit.
+Real edge_function(const Vec2& p, const Vec2& q);
+
+/// [03.6] The hit with a triangle whose corners the ray sees at a, b and c, if it lies in (range.min,
+/// range.max]. The ray is known to pass through the triangle and sees it from one of its sides: the edge
+/// functions of (c, b), (a, c) and (b, a) have the same sign, or are zero, but not all. Over their sum they
+/// are the weights of the corners; `Hit::uv` are those of b and c. `t` is the weighted mean of the corners'
+/// z, in units of |ray.direction|.
+std::optional<Hit> hit_of_seen(const ShearedRay& ray, const Vec3& a, const Vec3& b, const Vec3& c,
+                               Interval range);
+
+/// [03.7] Hit of the ray with the triangle in (range.min, range.max], or nothing; both sides count.
 ///
 /// Whether the ray's line passes through the triangle is decided exactly, on the numbers as they are given,
 /// by the signs of the three volumes that the direction spans with the edges: a filter (Woop, Benthin & Wald
@@ -64,24 +72,24 @@ std::optional<Hit> intersect_exactly(const Triangle& triangle, const Ray& ray, I
 /// The same for a ray that is not sheared yet. Given.
 std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval range);
 
-/// [03.5] The surface at a hit of a flat triangle: the point as weighted sum of the corners, the unit
+/// [03.8] The surface at a hit of a flat triangle: the point as weighted sum of the corners, the unit
 /// normal (b − a) × (c − a) normalised; uv = Hit::uv.
 Surface surface_at(const Triangle& triangle, const Ray& ray, const Hit& hit);
 
-/// [03.5] The unit normal interpolated at the weights `uv` of the corners b and c. The normals at the corners
+/// [03.8] The unit normal interpolated at the weights `uv` of the corners b and c. The normals at the corners
 /// are weighed as they are: who compiles a scene makes those of the file unit vectors, once. `flat` where the
 /// sum vanishes.
 Vec3 interpolate(const TriangleNormals& normals, const Vec2& uv, const Vec3& flat);
 
-/// [03.5] The texture coordinates interpolated at the weights `uv` of the corners b and c.
+/// [03.8] The texture coordinates interpolated at the weights `uv` of the corners b and c.
 Vec2 interpolate(const TriangleUvs& uvs, const Vec2& uv);
 
-/// [03.6] Nearest of the hits with all the triangles, or nothing: to the bit what `intersect` says of each.
+/// [03.9] Nearest of the hits with all the triangles, or nothing: to the bit what `intersect` says of each.
 /// What depends only on the ray is computed once. `Hit::primitive` is the triangle's index; of equal
 /// distances the lowest index wins.
 std::optional<Hit> closest_hit(std::span<const Triangle> triangles, const Ray& ray, Interval range);
 
-/// [03.6] Whether any triangle is hit in the range; stops at the first.
+/// [03.9] Whether any triangle is hit in the range; stops at the first.
 bool any_hit(std::span<const Triangle> triangles, const Ray& ray, Interval range);
 
 }  // namespace rt

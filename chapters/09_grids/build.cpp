@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace rt {
 namespace {
@@ -17,12 +18,6 @@ struct Task {
     const GridOptions& options;
     Real margin;
     Real reach;
-};
-
-/// The cells from `low` up to and including `high`.
-struct Block {
-    Cells low;
-    Cells high;
 };
 
 std::size_t size_of(const Cells& cells) {
@@ -41,7 +36,7 @@ bool is_empty(const Bounds& box) {
 Real longest_edge(const Bounds& box) { return max_component(box.high - box.low); }
 
 /// The cells that the box reaches into, up to two margins away.
-Block block_around(const GridShape& shape, const Bounds& box, Real margin) {
+CellBlock block_around(const GridShape& shape, const Bounds& box, Real margin) {
     const Vec3 per_length = Vec3(shape.cells) / (shape.box.high - shape.box.low);
     const auto cell_at = [&](const Vec3& point) {
         const Vec3 place = (point - shape.box.low) * per_length;
@@ -56,13 +51,13 @@ Block block_around(const GridShape& shape, const Bounds& box, Real margin) {
 
 /// Appends to `numbers` those of the cells in the block whose box, grown by the margin, shape i overlaps.
 /// Returns how many there are.
-std::size_t list_cells(const Task& task, const GridShape& shape, std::uint32_t i, const Block& block,
+std::size_t list_cells(const Task& task, const GridShape& shape, std::uint32_t i, const CellBlock& block,
                        std::vector<std::uint32_t>& numbers) {
-    // 09.5  A loop over all the cells of the block is enough to be right. To be fast, too, ask
+    // 09.7  A loop over all the cells of the block is enough to be right. To be fast, too, ask
     // task.overlaps(i, box) about the box of a large block first, grown by two margins to be on the safe
     // side; where the answer is no, none of its cells is asked about. A block in which the shape may be is
     // cut in two across its longest edge, and each half is listed in the same way.
-    return todo("09.5");
+    return todo("09.7");
 }
 
 /// The grid of this shape over these of the shapes, without inner grids; nothing as soon as its cells list
@@ -74,7 +69,7 @@ std::optional<Grid> flat_grid(const Task& task, const GridShape& shape, std::spa
     numbers.reserve(2 * shapes.size());
     ends.reserve(shapes.size());
     for (const std::uint32_t i : shapes) {
-        const Block block = block_around(shape, task.bounds[i], task.margin);
+        const CellBlock block = block_around(shape, task.bounds[i], task.margin);
         // Most shapes are much smaller than the grid: there is no doubt about the only cell around one.
         if (block.low == block.high)
             numbers.push_back(number_of(shape, block.low));
@@ -84,15 +79,12 @@ std::optional<Grid> flat_grid(const Task& task, const GridShape& shape, std::spa
         ends.push_back(static_cast<std::uint32_t>(numbers.size()));
     }
 
+    CellLists lists = lists_by_cell(size_of(shape.cells), numbers, ends, shapes);
     Grid grid;
     grid.shape = shape;
     grid.reach = task.reach;
-    // 09.5  Fill in grid.first and grid.items, in two passes. The first counts how many shapes each
-    // cell gets; the sums of these counts up to each cell say where its part of `items` ends. The second goes
-    // through the shapes from the last to the first, and puts each in front of what its cells have already:
-    // when it is through, the place where a part ended has become the place where it starts, and the shapes
-    // of each cell are ascending. `first` has one number more than there are cells.
-    return todo("09.5");
+    grid.first = std::move(lists.first);
+    grid.items = std::move(lists.items);
     return grid;
 }
 
@@ -105,6 +97,18 @@ GridShape shape_for(const Task& task, const Bounds& box, std::size_t count) {
     return shape;
 }
 
+/// What the cell and the box around the bounds of its shapes, each grown by the margin, have in common.
+[[maybe_unused]] Bounds box_of_crowd(const Task& task, const GridShape& shape, std::uint32_t number,
+                                     std::span<const std::uint32_t> shapes) {
+    Bounds around;
+    for (const std::uint32_t i : shapes) around = merge(around, task.bounds[i]);
+    around = grown(around, task.margin);
+    const int x = static_cast<int>(number) % shape.cells.x, yz = static_cast<int>(number) / shape.cells.x;
+    const Bounds cell = cell_box(shape, {x, yz % shape.cells.y, yz / shape.cells.y});
+    const Bounds box = grown(cell, task.margin);
+    return {glm::max(box.low, around.low), glm::min(box.high, around.high)};
+}
+
 /// Gives crowded cells grids of their own, as long as there are not more than options.depth inside each
 /// other; `depth` is how many there are around the cells. Returns how many cells got one.
 std::size_t refine(const Task& task, Grid& grid, int depth) {
@@ -115,13 +119,12 @@ std::size_t refine(const Task& task, Grid& grid, int depth) {
         const std::uint32_t end = grid.first[number + 1];
         const std::span<const std::uint32_t> shapes{grid.items.data() + begin, end - begin};
         std::optional<Grid> inner;
-        // 09.5  Where there are more than task.options.crowd shapes in the cell, make `inner` the
-        // flat grid over them. Its box is what the cell and the box around the bounds of its shapes, each
-        // grown by the margin, have in common; shape_for gives its cells. It may list at most 4 · (number of
-        // shapes) entries, and at most a quarter of the shapes in an average cell; while it would list more,
-        // halve the numbers of its cells, rounded up, and try again. With one cell it would be of no use. It
-        // may have crowded cells, too.
-        return todo("09.5");
+        // 09.13  Where there are more than task.options.crowd shapes in the cell, make `inner` the
+        // flat grid over them. Its box is their box_of_crowd; shape_for gives its cells. It may list at most
+        // 4 · (number of shapes) entries, and at most a quarter of the shapes in an average cell; while it
+        // would list more, halve the numbers of its cells, rounded up, and try again. With one cell it would
+        // be of no use. It may have crowded cells, too: refine it.
+        return todo("09.13");
         grid.first[number] = kept;
         if (inner) {
             grid.inner.resize(cells);
@@ -156,26 +159,46 @@ Bounds cell_box(const GridShape& shape, const Cells& cell) {
     return {shape.box.low + Vec3(cell) * size, shape.box.low + Vec3(cell + 1) * size};
 }
 
+bool overlaps(const Bounds& shape, const Bounds& box) {
+    // 09.4  Along each axis the boxes reach from low to high. Where one ends before the other
+    // begins, they are apart; if that is so along no axis, they overlap.
+    return todo("09.4");
+}
+
 bool overlaps(const Sphere& sphere, const Bounds& box) {
-    // 09.4  Measured from the centre, the box reaches from low to high; along each axis find the
+    // 09.5  Measured from the centre, the box reaches from low to high; along each axis find the
     // nearest place to 0 between them, and the farthest. Compare squares of distances: no root is needed.
     // Only the surface counts: a box that is wholly inside the sphere does not overlap.
-    return todo("09.4");
+    return todo("09.5");
 }
 
 bool overlaps(const Triangle& triangle, const Bounds& box) {
-    // 09.4  Two convex things are apart where along some axis all of one lies beyond all of the
+    // 09.6  Two convex things are apart where along some axis all of one lies beyond all of the
     // other, and for a triangle and a box thirteen axes are enough. Measure from the box's centre, with h
-    // half of its edges: along `axis` the box reaches as far as dot(h, abs(axis)) to both sides, and the
-    // triangle from the least to the greatest of dot(axis, corner). Project all three corners, also where two
-    // would give the same without rounding: then any axis is right that says they are apart. Ask the axes
-    // first that part most.
-    return todo("09.4");
+    // half of its edges. Along the axes of the box 09.4 says it, of the box around the triangle. Along any
+    // other `axis` the box reaches as far as dot(h, abs(axis)) to both sides, and the triangle from the least
+    // to the greatest of dot(axis, corner). Project all three corners, also where two would give the same
+    // without rounding: then any axis is right that says they are apart. Ask the axes first that part most.
+    return todo("09.6");
 }
 
-bool overlaps(const Bounds& shape, const Bounds& box) {
-    return shape.low.x <= box.high.x && shape.low.y <= box.high.y && shape.low.z <= box.high.z &&
-           box.low.x <= shape.high.x && box.low.y <= shape.high.y && box.low.z <= shape.high.z;
+std::vector<std::uint32_t> cells_with(const GridShape& shape, const CellBlock& block,
+                                      const Overlaps& overlaps, std::uint32_t i, Real margin) {
+    std::vector<std::uint32_t> numbers;
+    const GridOptions options;
+    list_cells({.bounds = {}, .overlaps = overlaps, .options = options, .margin = margin, .reach = 0}, shape,
+               i, block, numbers);
+    return numbers;
+}
+
+CellLists lists_by_cell(std::size_t count, std::span<const std::uint32_t> numbers,
+                        std::span<const std::uint32_t> ends, std::span<const std::uint32_t> shapes) {
+    // 09.8  Two passes. The first counts how many shapes each cell gets; the sums of these counts
+    // up to each cell say where its part of `items` ends. The second goes through the shapes from the last to
+    // the first, and puts each in front of what its cells have already: when it is through, the place where a
+    // part ended has become the place where it starts, and the shapes of each cell are in order. `first` has
+    // one number more than there are cells.
+    return todo("09.8");
 }
 
 Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const GridOptions& options) {

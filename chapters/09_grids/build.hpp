@@ -21,16 +21,17 @@ Cells grid_resolution(const Bounds& box, std::size_t count, Real density, int mo
 /// The box of one cell. Given: low + i · (high − low)/cells, as the walk computes it.
 Bounds cell_box(const GridShape& shape, const Cells& cell);
 
-/// [09.4] Whether some point of the sphere's surface may lie in the box: no where the nearest point of the
+/// [09.4] Whether two boxes have a point in common. They are closed: boxes that touch overlap. An empty box
+/// overlaps none.
+bool overlaps(const Bounds& shape, const Bounds& box);
+/// [09.5] Whether some point of the sphere's surface may lie in the box: no where the nearest point of the
 /// box is farther from the centre than the radius, or the farthest nearer. May say yes wrongly by rounding
 /// only; with a box that was grown by more than rounding it never says no wrongly.
 bool overlaps(const Sphere& sphere, const Bounds& box);
-/// [09.4] Whether some point of the triangle may lie in the box, by separating axes: the box's three, the
+/// [09.6] Whether some point of the triangle may lie in the box, by separating axes: the box's three, the
 /// triangle's normal, and the nine cross products of their edges (Akenine-Möller 2001). May say yes wrongly
 /// as for a sphere, and where products of the triangle's edges underflow.
 bool overlaps(const Triangle& triangle, const Bounds& box);
-/// Whether the bounds of the shape meet the box. Given.
-bool overlaps(const Bounds& shape, const Bounds& box);
 
 /// What a grid is to be made like.
 struct GridOptions {
@@ -62,7 +63,29 @@ struct ShapeOverlaps {
     bool operator()(std::uint32_t i, const Bounds& box) const { return may_be_in(shapes[i], bounds[i], box); }
 };
 
-/// [09.5] The grid over shapes with these bounds.
+/// The cells from `low` up to and including `high` along each axis.
+struct CellBlock {
+    Cells low;
+    Cells high;
+};
+
+/// [09.7] The numbers, as Grid has them, of the block's cells in which shape i may be met: where `overlaps`
+/// says so of the cell's box grown by the margin. In any order, each once.
+std::vector<std::uint32_t> cells_with(const GridShape& shape, const CellBlock& block,
+                                      const Overlaps& overlaps, std::uint32_t i, Real margin);
+
+/// The lists of all cells, one after another, as Grid has them.
+struct CellLists {
+    std::vector<std::uint32_t> first;
+    std::vector<std::uint32_t> items;
+};
+
+/// [09.8] The lists of `count` cells. `numbers` are the cells of shapes[0], then those of shapes[1], and so
+/// on; those of shapes[k] end before place ends[k]. Each list has the shapes in the order of `shapes`.
+CellLists lists_by_cell(std::size_t count, std::span<const std::uint32_t> numbers,
+                        std::span<const std::uint32_t> ends, std::span<const std::uint32_t> shapes);
+
+/// The grid over shapes with these bounds, of 09.7 and 09.8. Given, but for its inner grids.
 ///
 /// The margin is 2^-30 of the longest edge of the box around all, and 2^-44 of its greatest coordinate, times
 /// `options.distortion`; `reach` is 2^16 longest edges. The grid's box is that box grown by the margin; a
@@ -71,10 +94,10 @@ struct ShapeOverlaps {
 /// times as many shapes as there are (all may be in the same place), there are half as many cells along each
 /// axis.
 ///
-/// A cell with more than `crowd` shapes gets an inner grid, over the part of the cell that the bounds of its
-/// shapes take up, with the outermost grid's margin and reach (Jevans & Wyvill 1989). While its cells list
-/// more than four times as many shapes as it has, or an average cell more than a quarter of them, it gets
-/// half as many cells along each axis; with one cell only it would not separate the shapes, and there is
+/// [09.13] A cell with more than `crowd` shapes gets an inner grid, over the part of the cell that the bounds
+/// of its shapes take up, with the outermost grid's margin and reach (Jevans & Wyvill 1989). While its cells
+/// list more than four times as many shapes as it has, or an average cell more than a quarter of them, it
+/// gets half as many cells along each axis; with one cell only it would not separate the shapes, and there is
 /// none.
 Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const GridOptions& options = {});
 

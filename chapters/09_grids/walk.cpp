@@ -11,29 +11,45 @@ namespace {
 
 /// The walk along one axis.
 struct Axis {
-    Real t0 = 0;           ///< where the ray meets boundary number 0, and
-    Real delta = 0;        ///< how much farther on the next: boundary number i is at t0 + i · delta
+    Boundaries all;
     Real next = infinity;  ///< where the ray leaves the current cell
     int boundary = 0;      ///< the number of the boundary there
-    int step = 0;          ///< +1, −1, or 0 where the ray stays between two boundaries for ever
-    int last = 0;          ///< the last boundary: behind it is no cell
     int stride = 0;        ///< how much greater the number of the next cell is
 };
 
-/// Calls visit(number of the cell, part of the ray in it) for the cells along the ray in order, until a call
-/// returns true or the range or the grid ends. Returns whether a call did. The ray is in the box all over the
-/// range, up to rounding.
+/// The axis at the beginning of a walk, at t. Adds what it has to do with the number of the first cell.
+Axis first_of(const GridShape& shape, const Ray& ray, int axis, Real t, int& number) {
+    Axis first{.all = boundaries_along(shape, ray, axis)};
+    const int cell = cell_at(shape, ray, axis, first.all, t);
+    const int stride = axis == 0 ? 1 : axis == 1 ? shape.cells.x : shape.cells.x * shape.cells.y;
+    number += cell * stride;
+    if (first.all.step == 0) return first;
+    first.boundary = first.all.step > 0 ? cell + 1 : cell;
+    first.next = std::max(first.all.t0 + first.boundary * first.all.delta, t);
+    first.stride = first.all.step * stride;
+    return first;
+}
+
+/// Goes on from the cell with this number, where the ray is at range.min; the axes are as they are there.
+/// Calls visit(number of the cell, part of the ray in it) for that and each cell behind it in order, until a
+/// call returns true or the range or the grid ends. Returns whether a call did.
+template <class Visit>
+bool walk_on(Axis x, Axis y, Axis z, int number, Interval range, const Visit& visit) {
+    // 09.11  The ray leaves the cell where the least of the three `next` is. Visit the cell for the
+    // part of the ray up to there, or to range.max; stop where the walk has come beyond range.max, or where
+    // this axis is at its last boundary. Else move on by one cell along this axis: the next boundary, the new
+    // `next` from its number, not from the old one, and the cell's number by the stride.
+    return todo("09.11");
+}
+
+/// The walk through the cells along the ray. The ray is in the box all over the range, up to rounding.
 template <class Visit>
 bool walk(const GridShape& shape, const Ray& ray, Interval range, const Visit& visit) {
-    // 09.6  Set up the three axes. cell_size is edge/cells, t0 = (low − o)/d, delta = cell_size/d.
-    // Where one of these is not finite, the ray is parallel to the boundaries: its cell follows from its
-    // origin, and `next` stays infinite. Else find the cell at range.min: roughly by division, then, because
-    // that rounds, step by step until boundaries t0 + i · delta that are computed as below say the same.
-    //
-    // In the loop, the ray leaves the cell where the least of the three `next` is. Visit the cell; stop where
-    // the walk has come beyond range.max or to the last boundary of that axis; else move on by one cell, and
-    // compute the new `next` from the number of its boundary, not from the old one.
-    return todo("09.6");
+    int number = 0;
+    const Axis x = first_of(shape, ray, 0, range.min, number);
+    const Axis y = first_of(shape, ray, 1, range.min, number);
+    const Axis z = first_of(shape, ray, 2, range.min, number);
+    return walk_on(x, y, z, number, range, visit);
 }
 
 /// A ray on its way through a grid and the grids in it.
@@ -48,21 +64,21 @@ bool search_cells(const Grid& grid, Search& search, Interval part);
 
 /// Asks the shapes that the cell lists; t is the part of the ray in it. Returns whether the search is over.
 bool ask_cell(const Grid& grid, std::size_t number, Interval t, Search& search) {
-    // 09.7  The cell's shapes are grid.items from number grid.first[number] up to, but not
+    // 09.12  The cell's shapes are grid.items from number grid.first[number] up to, but not
     // including, grid.first[number + 1]. If there are any, call search.ask for them, all at once, and keep in
     // search.end what it returns. Return true if nothing that is left can be as near as search.end: a hit
     // that was found may lie in a later cell, where others are nearer, and just at t.max another may be as
     // near.
-    return todo("09.7");
+    return todo("09.12");
 }
 
 /// Asks the cells of the grid that a cell has of its own; t is the part of the ray in the outer cell. Returns
 /// whether the search is over.
 bool search_inner(const Grid& inner, Interval t, Search& search) {
-    // 09.8  Search the inner grid's cells (search_cells) in the part t. If that does not end the
-    // search, it may be over all the same, as in 09.7: the inner grid is only as large as its shapes, and the
-    // ray may have left it long before t.max.
-    return todo("09.8");
+    // 09.14  Search the inner grid's cells (search_cells) in the part t. If that does not end the
+    // search, it may be over all the same, as in 09.12: the inner grid is only as large as its shapes, and
+    // the ray may have left it long before t.max.
+    return todo("09.14");
 }
 
 /// Goes through the grid's cells in this part of the ray. Returns whether the search is over.
@@ -79,14 +95,32 @@ bool search_cells(const Grid& grid, Search& search, Interval part) {
 
 }  // namespace
 
+Boundaries boundaries_along(const GridShape& shape, const Ray& ray, int axis) {
+    // 09.9  t0 = (low − o)/d, and delta = cell_size/d, where cell_size is edge/cells. Where one of
+    // these is not finite, return Boundaries as they are made. Else delta says which way the ray goes: up,
+    // the last boundary is number `cells`; down, it is number 0.
+    return todo("09.9");
+}
+
+int cell_at(const GridShape& shape, const Ray& ray, int axis, const Boundaries& boundaries, Real t) {
+    // 09.10  Roughly by division: how many cells away from the low side of the box the ray is at t,
+    // as a real number, brought into 0 … cells − 1 and rounded down. Then, because that rounds, step by step
+    // until boundaries t0 + i · delta say the same: on while the boundary ahead is met at t or before, back
+    // while the one behind is met after t. The ray has no cell before the first, and none after the last. If
+    // `step` is 0 there are no boundaries to ask, and the ray is as far from the low side as its origin.
+    return todo("09.10");
+}
+
 std::vector<CellVisit> cells_along(const GridShape& shape, const Ray& ray, Interval range) {
     std::vector<CellVisit> visits;
     const std::optional<Interval> inside = clip(shape.box, ray, range);
     if (!inside) return visits;
+    const auto most = static_cast<std::size_t>(shape.cells.x + shape.cells.y + shape.cells.z + 1);
     walk(shape, ray, *inside, [&](std::size_t number, Interval t) {
         const int n = static_cast<int>(number), x = n % shape.cells.x, yz = n / shape.cells.x;
         visits.push_back({{x, yz % shape.cells.y, yz / shape.cells.y}, t});
-        return false;
+        // A walk that has lost its way need not fill the memory.
+        return visits.size() > most;
     });
     return visits;
 }

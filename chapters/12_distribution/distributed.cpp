@@ -16,15 +16,36 @@ std::optional<Branch> spread(const Branch& branch, const Surface& surface, Real 
     return todo("12.19");
 }
 
+namespace {
+
+/// The light that a branch brings back from its hit, times its weight; the rays that go on from there are
+/// pushed on the stack.
+Vec3 light_from(const World& world, const Branch& branch, const Hit& hit, Stream& stream,
+                std::vector<Branch>& stack) {
+    // 12.20  What a branch does at its hit. Where there is a light_at, it is all that there is.
+    // Else it is the local_light of chapter 7 (07.6), asked with the ray's time and the stream; then push
+    // what `scatter` returns, the last branch first. Of the branches, one whose gloss_of is greater than 0
+    // takes a next_point(stream) and is spread, or dropped. Count each pushed ray in ray_counts().
+    return todo("12.20");
+}
+
+}  // namespace
+
 Vec3 distributed(const World& world, const Ray& ray, Stream& stream) {
     Branch camera;
     camera.ray = ray;
     camera.media = world.eye_inside;
-    // 12.20  Walk the tree as `radiance` does (07.6). New are: a hit with a light_at adds that
-    // times the branch's weight, and nothing else; local_light is asked with the ray's time and the stream;
-    // and of the branches, one whose gloss_of is greater than 0 takes a next_point(stream) and is spread, or
-    // dropped.
-    return todo("12.20");
+    // The walk of 07.6.
+    Vec3 light(0);
+    for (std::vector<Branch> waiting{camera}; !waiting.empty();) {
+        Branch next = std::move(waiting.back());
+        waiting.pop_back();
+        const std::optional<Hit> found = closest_hit(world, next.ray, {0, infinity});
+        if (world.needs.absorption) next.weight *= left_after(world, next.media, found ? found->t : infinity);
+        light += found ? light_from(world, next, *found, stream, waiting)
+                       : next.weight * background(world, next.ray.direction);
+    }
+    return light;
 }
 
 }  // namespace rt

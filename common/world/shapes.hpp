@@ -128,15 +128,15 @@ inline constexpr ShapeWords words<Plane>{
 template <>
 inline constexpr ShapeWords words<Sphere>{"sphere", "spheres", {"02.3", "02.4"}};
 template <>
-inline constexpr ShapeWords words<Triangle>{"triangle", "triangles", {"03.4", "03.5"}, 1, 3};
+inline constexpr ShapeWords words<Triangle>{"triangle", "triangles", {"03.7", "03.8"}, 1, 3};
 template <>
-inline constexpr ShapeWords words<Polygon>{"polygon", "polygons", {"03.7"}};
+inline constexpr ShapeWords words<Polygon>{"polygon", "polygons", {"03.10"}};
 template <>
 inline constexpr ShapeWords words<Ellipsoid>{
     "ellipsoid with its matrices", "ellipsoids with their matrices", {"04.6", "02.3", "02.4"}};
 template <>
 inline constexpr ShapeWords words<Instance>{
-    "instance with its matrices", "instances with their matrices", {"04.6", "03.4", "03.5"}};
+    "instance with its matrices", "instances with their matrices", {"04.6", "03.7", "03.8"}};
 
 template <>
 inline constexpr ShapeWords words<Placed<Plane>>{.one = "plane with its matrices",

@@ -114,7 +114,7 @@ bool is_close(std::span<const Vec2> outline, Real size) {
 }
 
 std::optional<Hit> intersect(const Polygon& polygon, const Ray& ray, Interval range) {
-    // [exercise 03.7] hit_plane (given) says where the ray meets the polygon's plane. Whether that is inside
+    // [exercise 03.10] hit_plane (given) says where the ray meets the polygon's plane. Whether that is inside
     // is better not asked of the point, which is rounded, but of the ray: see the vertices along it (shear,
     // seen); x and y of what it sees are an outline around (0, 0). Where that is_close (given; its size is
     // the greatest |x| or |y|, plus the greatest |z|), exact_passes_through decides, else point_in_polygon.

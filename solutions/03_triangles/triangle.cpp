@@ -61,16 +61,6 @@ std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point) {
     // [/exercise]
 }
 
-Real edge_function(const Vec2& p, const Vec2& q) {
-    // [exercise 03.4] p.x·q.y − p.y·q.x, nearly as if without rounding. Where the two products nearly cancel,
-    // what their rounding took away decides: std::fma(x, y, -xy) is exactly x·y − xy, where xy is the rounded
-    // product. Take it into account for both products, so that (q, p) gets the opposite of (p, q).
-    const Real ab = p.x * q.y;
-    const Real cd = p.y * q.x;
-    return (ab - cd) + (std::fma(p.x, q.y, -ab) - std::fma(p.y, q.x, -cd));
-    // [/exercise]
-}
-
 ShearedRay shear(const Ray& ray) {
     // [exercise 03.4] Let z be the axis in which |direction| is greatest, x and y the next two in cyclic
     // order, and divide the direction's x and y by its z.
@@ -93,6 +83,32 @@ Vec3 seen(const ShearedRay& ray, const Vec3& point) {
     // [/exercise]
 }
 
+Real edge_function(const Vec2& p, const Vec2& q) {
+    // [exercise 03.5] p.x·q.y − p.y·q.x, nearly as if without rounding. Where the two products nearly cancel,
+    // what their rounding took away decides: std::fma(x, y, -xy) is exactly x·y − xy, where xy is the rounded
+    // product. Take it into account for both products, so that (q, p) gets the opposite of (p, q).
+    const Real ab = p.x * q.y;
+    const Real cd = p.y * q.x;
+    return (ab - cd) + (std::fma(p.x, q.y, -ab) - std::fma(p.y, q.x, -cd));
+    // [/exercise]
+}
+
+std::optional<Hit> hit_of_seen(const ShearedRay& ray, const Vec3& a, const Vec3& b, const Vec3& c,
+                               Interval range) {
+    // [exercise 03.6] The ray is at x = y = 0. The edge functions of x and y of (c, b), (a, c) and (b, a) are
+    // the weights u, v, w of a, b and c, still to be divided by their sum: each edge weighs the corner
+    // opposite to it. The weighted mean of the corners' z, over the z of the direction (its coordinate number
+    // ray.z), is t. Is it in the range?
+    const Real u = edge_function(Vec2(c), Vec2(b));
+    const Real v = edge_function(Vec2(a), Vec2(c));
+    const Real w = edge_function(Vec2(b), Vec2(a));
+    const Real sum = u + v + w;
+    const Real t = (u * a.z + v * b.z + w * c.z) / sum / ray.ray.direction[ray.z];
+    if (!contains(range, t)) return std::nullopt;
+    return Hit{.t = t, .uv = {v / sum, w / sum}};
+    // [/exercise]
+}
+
 std::optional<Hit> intersect_exactly(const Triangle& triangle, const Ray& ray, Interval range) {
     const std::optional<Crossing> crossing = exact_crossing(triangle.a, triangle.b, triangle.c, ray);
     if (!crossing || !contains(range, crossing->t)) return std::nullopt;
@@ -100,7 +116,7 @@ std::optional<Hit> intersect_exactly(const Triangle& triangle, const Ray& ray, I
 }
 
 std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, Interval range) {
-    // [exercise 03.4] The watertight test.
+    // [exercise 03.7] The watertight test.
     //   1. See the corners along the ray, which is now at x = y = 0. Let `size` be the greatest |x| or |y| of
     //      the three, plus the greatest |z|: all errors grow with it. Where its square might overflow or
     //      underflow (outside of 1e-140 to 1e140), leave it to intersect_exactly, which is given.
@@ -109,8 +125,7 @@ std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, In
     //   3. The cross products p.x·q.y − p.y·q.x of (c, b), (a, c) and (b, a) tell on which side of each edge
     //      the ray passes; they are off by less than 128u · size². One surely negative and one surely
     //      positive: a miss. Else, if one of them may be 0, let intersect_exactly decide.
-    //   4. Here the ray hits. The edge functions are the weights u, v, w of a, b, c, still to be divided by
-    //      their sum; the weighted mean of the corners' z, over the direction's z, is t. Is it in the range?
+    //   4. Here the ray passes through the triangle: what is left is hit_of_seen (03.6).
     const Vec3 a = seen(ray, triangle.a);
     const Vec3 b = seen(ray, triangle.b);
     const Vec3 c = seen(ray, triangle.c);
@@ -131,14 +146,7 @@ std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, In
         return std::nullopt;
     const Real least = std::min({std::abs(turn_a), std::abs(turn_b), std::abs(turn_c)});
     if (!(least > bound)) return intersect_exactly(triangle, ray.ray, range);
-
-    const Real u = edge_function(Vec2(c), Vec2(b));
-    const Real v = edge_function(Vec2(a), Vec2(c));
-    const Real w = edge_function(Vec2(b), Vec2(a));
-    const Real sum = u + v + w;
-    const Real t = (u * a.z + v * b.z + w * c.z) / sum / ray.ray.direction[ray.z];
-    if (!contains(range, t)) return std::nullopt;
-    return Hit{.t = t, .uv = {v / sum, w / sum}};
+    return hit_of_seen(ray, a, b, c, range);
     // [/exercise]
 }
 
@@ -149,7 +157,7 @@ std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval 
 Surface surface_at(const Triangle& triangle, const Ray&, const Hit& hit) {
     const Real weight_a = 1 - hit.uv.x - hit.uv.y;
     Surface surface;
-    // [exercise 03.5] Fill in point (the weighted sum of the corners: it lies better on the triangle than
+    // [exercise 03.8] Fill in point (the weighted sum of the corners: it lies better on the triangle than
     // origin + t · direction does), normal, shading_normal (the same) and uv.
     surface.point = weight_a * triangle.a + hit.uv.x * triangle.b + hit.uv.y * triangle.c;
     surface.normal = unit_normal(triangle);
@@ -170,20 +178,20 @@ Surface surface_at(const Triangle& triangle, const Ray&, const Hit& hit) {
 }
 
 Vec3 interpolate(const TriangleNormals& normals, const Vec2& uv, const Vec3& flat) {
-    // [exercise 03.5] The weighted sum of the three normals, made a unit vector; `flat` if it is zero.
+    // [exercise 03.8] The weighted sum of the three normals, made a unit vector; `flat` if it is zero.
     const Vec3 sum = (1 - uv.x - uv.y) * normals.a + uv.x * normals.b + uv.y * normals.c;
     return sum == Vec3(0) ? flat : unit_vector(sum);
     // [/exercise]
 }
 
 Vec2 interpolate(const TriangleUvs& uvs, const Vec2& uv) {
-    // [exercise 03.5] The weighted sum of the three texture coordinates.
+    // [exercise 03.8] The weighted sum of the three texture coordinates.
     return (1 - uv.x - uv.y) * uvs.a + uv.x * uvs.b + uv.y * uvs.c;
     // [/exercise]
 }
 
 std::optional<Hit> closest_hit(std::span<const Triangle> triangles, const Ray& ray, Interval range) {
-    // [exercise 03.6] The nearest hit; shear the ray once, not once a triangle. Shrinking the range as hits
+    // [exercise 03.9] The nearest hit; shear the ray once, not once a triangle. Shrinking the range as hits
     // are found saves work, but it includes its end: an equally near triangle that comes later must not win.
     const ShearedRay sheared = shear(ray);
     std::optional<Hit> nearest;
@@ -199,7 +207,7 @@ std::optional<Hit> closest_hit(std::span<const Triangle> triangles, const Ray& r
 }
 
 bool any_hit(std::span<const Triangle> triangles, const Ray& ray, Interval range) {
-    // [exercise 03.6] Whether there is a hit at all; the first one found is enough.
+    // [exercise 03.9] Whether there is a hit at all; the first one found is enough.
     const ShearedRay sheared = shear(ray);
     return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& triangle) {
         return intersect(triangle, sheared, range).has_value();

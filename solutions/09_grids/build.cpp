@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace rt {
 namespace {
@@ -15,12 +16,6 @@ struct Task {
     const GridOptions& options;
     Real margin;
     Real reach;
-};
-
-/// The cells from `low` up to and including `high`.
-struct Block {
-    Cells low;
-    Cells high;
 };
 
 std::size_t size_of(const Cells& cells) {
@@ -39,7 +34,7 @@ bool is_empty(const Bounds& box) {
 Real longest_edge(const Bounds& box) { return max_component(box.high - box.low); }
 
 /// The cells that the box reaches into, up to two margins away.
-Block block_around(const GridShape& shape, const Bounds& box, Real margin) {
+CellBlock block_around(const GridShape& shape, const Bounds& box, Real margin) {
     const Vec3 per_length = Vec3(shape.cells) / (shape.box.high - shape.box.low);
     const auto cell_at = [&](const Vec3& point) {
         const Vec3 place = (point - shape.box.low) * per_length;
@@ -54,9 +49,9 @@ Block block_around(const GridShape& shape, const Bounds& box, Real margin) {
 
 /// Appends to `numbers` those of the cells in the block whose box, grown by the margin, shape i overlaps.
 /// Returns how many there are.
-std::size_t list_cells(const Task& task, const GridShape& shape, std::uint32_t i, const Block& block,
+std::size_t list_cells(const Task& task, const GridShape& shape, std::uint32_t i, const CellBlock& block,
                        std::vector<std::uint32_t>& numbers) {
-    // [exercise 09.5] A loop over all the cells of the block is enough to be right. To be fast, too, ask
+    // [exercise 09.7] A loop over all the cells of the block is enough to be right. To be fast, too, ask
     // task.overlaps(i, box) about the box of a large block first, grown by two margins to be on the safe
     // side; where the answer is no, none of its cells is asked about. A block in which the shape may be is
     // cut in two across its longest edge, and each half is listed in the same way.
@@ -69,7 +64,7 @@ std::size_t list_cells(const Task& task, const GridShape& shape, std::uint32_t i
     }
     if (size_of(size) >= 8 && !task.overlaps(i, grown(box, 2 * task.margin))) return 0;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    Block lower = block, upper = block;
+    CellBlock lower = block, upper = block;
     lower.high[axis] = block.low[axis] + size[axis] / 2 - 1;
     upper.low[axis] = lower.high[axis] + 1;
     return list_cells(task, shape, i, lower, numbers) + list_cells(task, shape, i, upper, numbers);
@@ -85,7 +80,7 @@ std::optional<Grid> flat_grid(const Task& task, const GridShape& shape, std::spa
     numbers.reserve(2 * shapes.size());
     ends.reserve(shapes.size());
     for (const std::uint32_t i : shapes) {
-        const Block block = block_around(shape, task.bounds[i], task.margin);
+        const CellBlock block = block_around(shape, task.bounds[i], task.margin);
         // Most shapes are much smaller than the grid: there is no doubt about the only cell around one.
         if (block.low == block.high)
             numbers.push_back(number_of(shape, block.low));
@@ -95,23 +90,12 @@ std::optional<Grid> flat_grid(const Task& task, const GridShape& shape, std::spa
         ends.push_back(static_cast<std::uint32_t>(numbers.size()));
     }
 
+    CellLists lists = lists_by_cell(size_of(shape.cells), numbers, ends, shapes);
     Grid grid;
     grid.shape = shape;
     grid.reach = task.reach;
-    // [exercise 09.5] Fill in grid.first and grid.items, in two passes. The first counts how many shapes each
-    // cell gets; the sums of these counts up to each cell say where its part of `items` ends. The second goes
-    // through the shapes from the last to the first, and puts each in front of what its cells have already:
-    // when it is through, the place where a part ended has become the place where it starts, and the shapes
-    // of each cell are ascending. `first` has one number more than there are cells.
-    grid.first.assign(size_of(shape.cells) + 1, 0);
-    for (const std::uint32_t number : numbers) ++grid.first[number];
-    std::partial_sum(grid.first.begin(), grid.first.end(), grid.first.begin());
-    grid.items.resize(numbers.size());
-    for (std::size_t k = shapes.size(), next = numbers.size(); k-- > 0;) {
-        const std::size_t begin = k == 0 ? 0 : ends[k - 1];
-        while (next > begin) grid.items[--grid.first[numbers[--next]]] = shapes[k];
-    }
-    // [/exercise]
+    grid.first = std::move(lists.first);
+    grid.items = std::move(lists.items);
     return grid;
 }
 
@@ -124,6 +108,18 @@ GridShape shape_for(const Task& task, const Bounds& box, std::size_t count) {
     return shape;
 }
 
+/// What the cell and the box around the bounds of its shapes, each grown by the margin, have in common.
+[[maybe_unused]] Bounds box_of_crowd(const Task& task, const GridShape& shape, std::uint32_t number,
+                                     std::span<const std::uint32_t> shapes) {
+    Bounds around;
+    for (const std::uint32_t i : shapes) around = merge(around, task.bounds[i]);
+    around = grown(around, task.margin);
+    const int x = static_cast<int>(number) % shape.cells.x, yz = static_cast<int>(number) / shape.cells.x;
+    const Bounds cell = cell_box(shape, {x, yz % shape.cells.y, yz / shape.cells.y});
+    const Bounds box = grown(cell, task.margin);
+    return {glm::max(box.low, around.low), glm::min(box.high, around.high)};
+}
+
 /// Gives crowded cells grids of their own, as long as there are not more than options.depth inside each
 /// other; `depth` is how many there are around the cells. Returns how many cells got one.
 std::size_t refine(const Task& task, Grid& grid, int depth) {
@@ -134,22 +130,14 @@ std::size_t refine(const Task& task, Grid& grid, int depth) {
         const std::uint32_t end = grid.first[number + 1];
         const std::span<const std::uint32_t> shapes{grid.items.data() + begin, end - begin};
         std::optional<Grid> inner;
-        // [exercise 09.5] Where there are more than task.options.crowd shapes in the cell, make `inner` the
-        // flat grid over them. Its box is what the cell and the box around the bounds of its shapes, each
-        // grown by the margin, have in common; shape_for gives its cells. It may list at most 4 · (number of
-        // shapes) entries, and at most a quarter of the shapes in an average cell; while it would list more,
-        // halve the numbers of its cells, rounded up, and try again. With one cell it would be of no use. It
-        // may have crowded cells, too.
+        // [exercise 09.13] Where there are more than task.options.crowd shapes in the cell, make `inner` the
+        // flat grid over them. Its box is their box_of_crowd; shape_for gives its cells. It may list at most
+        // 4 · (number of shapes) entries, and at most a quarter of the shapes in an average cell; while it
+        // would list more, halve the numbers of its cells, rounded up, and try again. With one cell it would
+        // be of no use. It may have crowded cells, too: refine it.
         if (shapes.size() > static_cast<std::size_t>(task.options.crowd)) {
-            Bounds around;
-            for (const std::uint32_t i : shapes) around = merge(around, task.bounds[i]);
-            around = grown(around, task.margin);
-            const int x = static_cast<int>(number) % grid.shape.cells.x;
-            const int yz = static_cast<int>(number) / grid.shape.cells.x;
-            const Cells cell(x, yz % grid.shape.cells.y, yz / grid.shape.cells.y);
-            const Bounds box = grown(cell_box(grid.shape, cell), task.margin);
-            GridShape shape = shape_for(
-                task, {glm::max(box.low, around.low), glm::min(box.high, around.high)}, shapes.size());
+            const Bounds box = box_of_crowd(task, grid.shape, number, shapes);
+            GridShape shape = shape_for(task, box, shapes.size());
             const auto most = [&] {
                 return std::min<std::size_t>(16, size_of(shape.cells)) * shapes.size() / 4;
             };
@@ -208,8 +196,16 @@ Bounds cell_box(const GridShape& shape, const Cells& cell) {
     return {shape.box.low + Vec3(cell) * size, shape.box.low + Vec3(cell + 1) * size};
 }
 
+bool overlaps(const Bounds& shape, const Bounds& box) {
+    // [exercise 09.4] Along each axis the boxes reach from low to high. Where one ends before the other
+    // begins, they are apart; if that is so along no axis, they overlap.
+    return !(shape.low.x > box.high.x || shape.low.y > box.high.y || shape.low.z > box.high.z ||
+             box.low.x > shape.high.x || box.low.y > shape.high.y || box.low.z > shape.high.z);
+    // [/exercise]
+}
+
 bool overlaps(const Sphere& sphere, const Bounds& box) {
-    // [exercise 09.4] Measured from the centre, the box reaches from low to high; along each axis find the
+    // [exercise 09.5] Measured from the centre, the box reaches from low to high; along each axis find the
     // nearest place to 0 between them, and the farthest. Compare squares of distances: no root is needed.
     // Only the surface counts: a box that is wholly inside the sphere does not overlap.
     const Vec3 low = box.low - sphere.center, high = box.high - sphere.center;
@@ -221,18 +217,17 @@ bool overlaps(const Sphere& sphere, const Bounds& box) {
 }
 
 bool overlaps(const Triangle& triangle, const Bounds& box) {
-    // [exercise 09.4] Two convex things are apart where along some axis all of one lies beyond all of the
+    // [exercise 09.6] Two convex things are apart where along some axis all of one lies beyond all of the
     // other, and for a triangle and a box thirteen axes are enough. Measure from the box's centre, with h
-    // half of its edges: along `axis` the box reaches as far as dot(h, abs(axis)) to both sides, and the
-    // triangle from the least to the greatest of dot(axis, corner). Project all three corners, also where two
-    // would give the same without rounding: then any axis is right that says they are apart. Ask the axes
-    // first that part most.
+    // half of its edges. Along the axes of the box 09.4 says it, of the box around the triangle. Along any
+    // other `axis` the box reaches as far as dot(h, abs(axis)) to both sides, and the triangle from the least
+    // to the greatest of dot(axis, corner). Project all three corners, also where two would give the same
+    // without rounding: then any axis is right that says they are apart. Ask the axes first that part most.
     const Vec3 h = (box.high - box.low) * Real(0.5);
     const Vec3 center = box.low + h;
     const Vec3 a = triangle.a - center, b = triangle.b - center, c = triangle.c - center;
     const Vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
-    if (low.x > h.x || low.y > h.y || low.z > h.z || high.x < -h.x || high.y < -h.y || high.z < -h.z)
-        return false;
+    if (!overlaps(Bounds{low, high}, Bounds{-h, h})) return false;
 
     const auto parts = [&](const Vec3& axis) {
         const Real reach = dot(h, glm::abs(axis));
@@ -250,9 +245,31 @@ bool overlaps(const Triangle& triangle, const Bounds& box) {
     // [/exercise]
 }
 
-bool overlaps(const Bounds& shape, const Bounds& box) {
-    return shape.low.x <= box.high.x && shape.low.y <= box.high.y && shape.low.z <= box.high.z &&
-           box.low.x <= shape.high.x && box.low.y <= shape.high.y && box.low.z <= shape.high.z;
+std::vector<std::uint32_t> cells_with(const GridShape& shape, const CellBlock& block,
+                                      const Overlaps& overlaps, std::uint32_t i, Real margin) {
+    std::vector<std::uint32_t> numbers;
+    const GridOptions options;
+    list_cells({.bounds = {}, .overlaps = overlaps, .options = options, .margin = margin, .reach = 0}, shape,
+               i, block, numbers);
+    return numbers;
+}
+
+CellLists lists_by_cell(std::size_t count, std::span<const std::uint32_t> numbers,
+                        std::span<const std::uint32_t> ends, std::span<const std::uint32_t> shapes) {
+    // [exercise 09.8] Two passes. The first counts how many shapes each cell gets; the sums of these counts
+    // up to each cell say where its part of `items` ends. The second goes through the shapes from the last to
+    // the first, and puts each in front of what its cells have already: when it is through, the place where a
+    // part ended has become the place where it starts, and the shapes of each cell are in order. `first` has
+    // one number more than there are cells.
+    CellLists lists{std::vector<std::uint32_t>(count + 1, 0), std::vector<std::uint32_t>(numbers.size())};
+    for (const std::uint32_t number : numbers) ++lists.first[number];
+    std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
+    for (std::size_t k = shapes.size(), next = numbers.size(); k-- > 0;) {
+        const std::size_t begin = k == 0 ? 0 : ends[k - 1];
+        while (next > begin) lists.items[--lists.first[numbers[--next]]] = shapes[k];
+    }
+    return lists;
+    // [/exercise]
 }
 
 Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const GridOptions& options) {

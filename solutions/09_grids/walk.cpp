@@ -9,65 +9,40 @@ namespace {
 
 /// The walk along one axis.
 struct Axis {
-    Real t0 = 0;           ///< where the ray meets boundary number 0, and
-    Real delta = 0;        ///< how much farther on the next: boundary number i is at t0 + i · delta
+    Boundaries all;
     Real next = infinity;  ///< where the ray leaves the current cell
     int boundary = 0;      ///< the number of the boundary there
-    int step = 0;          ///< +1, −1, or 0 where the ray stays between two boundaries for ever
-    int last = 0;          ///< the last boundary: behind it is no cell
     int stride = 0;        ///< how much greater the number of the next cell is
 };
 
-/// Calls visit(number of the cell, part of the ray in it) for the cells along the ray in order, until a call
-/// returns true or the range or the grid ends. Returns whether a call did. The ray is in the box all over the
-/// range, up to rounding.
+/// The axis at the beginning of a walk, at t. Adds what it has to do with the number of the first cell.
+Axis first_of(const GridShape& shape, const Ray& ray, int axis, Real t, int& number) {
+    Axis first{.all = boundaries_along(shape, ray, axis)};
+    const int cell = cell_at(shape, ray, axis, first.all, t);
+    const int stride = axis == 0 ? 1 : axis == 1 ? shape.cells.x : shape.cells.x * shape.cells.y;
+    number += cell * stride;
+    if (first.all.step == 0) return first;
+    first.boundary = first.all.step > 0 ? cell + 1 : cell;
+    first.next = std::max(first.all.t0 + first.boundary * first.all.delta, t);
+    first.stride = first.all.step * stride;
+    return first;
+}
+
+/// Goes on from the cell with this number, where the ray is at range.min; the axes are as they are there.
+/// Calls visit(number of the cell, part of the ray in it) for that and each cell behind it in order, until a
+/// call returns true or the range or the grid ends. Returns whether a call did.
 template <class Visit>
-bool walk(const GridShape& shape, const Ray& ray, Interval range, const Visit& visit) {
-    // [exercise 09.6] Set up the three axes. cell_size is edge/cells, t0 = (low − o)/d, delta = cell_size/d.
-    // Where one of these is not finite, the ray is parallel to the boundaries: its cell follows from its
-    // origin, and `next` stays infinite. Else find the cell at range.min: roughly by division, then, because
-    // that rounds, step by step until boundaries t0 + i · delta that are computed as below say the same.
-    //
-    // In the loop, the ray leaves the cell where the least of the three `next` is. Visit the cell; stop where
-    // the walk has come beyond range.max or to the last boundary of that axis; else move on by one cell, and
-    // compute the new `next` from the number of its boundary, not from the old one.
-    const Vec3 cell_size = (shape.box.high - shape.box.low) / Vec3(shape.cells);
-    const Cells strides(1, shape.cells.x, shape.cells.x * shape.cells.y);
-    int number = 0;
-    const auto set_up = [&](int a) {
-        Axis axis;
-        const int cells = shape.cells[a];
-        const Real to_low = shape.box.low[a] - ray.origin[a];
-        axis.t0 = to_low / ray.direction[a];
-        axis.delta = cell_size[a] / ray.direction[a];
-        const bool parallel = !(std::abs(axis.t0) < infinity && std::abs(axis.delta) < infinity);
-        const Real place = parallel ? -to_low / cell_size[a] : (range.min - axis.t0) / axis.delta;
-        // Written so that NaN becomes 0.
-        int cell = place > 0 ? static_cast<int>(std::min(place, static_cast<Real>(cells - 1))) : 0;
-        if (!parallel) {
-            const bool up = axis.delta > 0;
-            const auto t_at = [&](int boundary) { return axis.t0 + boundary * axis.delta; };
-            axis.step = up ? 1 : -1;
-            axis.last = up ? cells : 0;
-            axis.boundary = up ? cell + 1 : cell;
-            while (axis.boundary != axis.last && t_at(axis.boundary) <= range.min) axis.boundary += axis.step;
-            const int first = cells - axis.last + axis.step;
-            while (axis.boundary != first && t_at(axis.boundary - axis.step) > range.min)
-                axis.boundary -= axis.step;
-            axis.next = std::max(t_at(axis.boundary), range.min);
-            axis.stride = axis.step * strides[a];
-            cell = up ? axis.boundary - 1 : axis.boundary;
-        }
-        number += cell * strides[a];
-        return axis;
-    };
-    Axis x = set_up(0), y = set_up(1), z = set_up(2);
+bool walk_on(Axis x, Axis y, Axis z, int number, Interval range, const Visit& visit) {
+    // [exercise 09.11] The ray leaves the cell where the least of the three `next` is. Visit the cell for the
+    // part of the ray up to there, or to range.max; stop where the walk has come beyond range.max, or where
+    // this axis is at its last boundary. Else move on by one cell along this axis: the next boundary, the new
+    // `next` from its number, not from the old one, and the cell's number by the stride.
 
     // Written out for each axis: that keeps all of it in registers.
     const auto go_on = [&](Axis& axis) {
-        if (axis.boundary == axis.last) return false;
-        axis.boundary += axis.step;
-        axis.next = axis.t0 + axis.boundary * axis.delta;
+        if (axis.boundary == axis.all.last) return false;
+        axis.boundary += axis.all.step;
+        axis.next = axis.all.t0 + axis.boundary * axis.all.delta;
         number += axis.stride;
         return true;
     };
@@ -79,6 +54,16 @@ bool walk(const GridShape& shape, const Ray& ray, Interval range, const Visit& v
         t = next;
     }
     // [/exercise]
+}
+
+/// The walk through the cells along the ray. The ray is in the box all over the range, up to rounding.
+template <class Visit>
+bool walk(const GridShape& shape, const Ray& ray, Interval range, const Visit& visit) {
+    int number = 0;
+    const Axis x = first_of(shape, ray, 0, range.min, number);
+    const Axis y = first_of(shape, ray, 1, range.min, number);
+    const Axis z = first_of(shape, ray, 2, range.min, number);
+    return walk_on(x, y, z, number, range, visit);
 }
 
 /// A ray on its way through a grid and the grids in it.
@@ -93,7 +78,7 @@ bool search_cells(const Grid& grid, Search& search, Interval part);
 
 /// Asks the shapes that the cell lists; t is the part of the ray in it. Returns whether the search is over.
 bool ask_cell(const Grid& grid, std::size_t number, Interval t, Search& search) {
-    // [exercise 09.7] The cell's shapes are grid.items from number grid.first[number] up to, but not
+    // [exercise 09.12] The cell's shapes are grid.items from number grid.first[number] up to, but not
     // including, grid.first[number + 1]. If there are any, call search.ask for them, all at once, and keep in
     // search.end what it returns. Return true if nothing that is left can be as near as search.end: a hit
     // that was found may lie in a later cell, where others are nearer, and just at t.max another may be as
@@ -107,9 +92,9 @@ bool ask_cell(const Grid& grid, std::size_t number, Interval t, Search& search) 
 /// Asks the cells of the grid that a cell has of its own; t is the part of the ray in the outer cell. Returns
 /// whether the search is over.
 bool search_inner(const Grid& inner, Interval t, Search& search) {
-    // [exercise 09.8] Search the inner grid's cells (search_cells) in the part t. If that does not end the
-    // search, it may be over all the same, as in 09.7: the inner grid is only as large as its shapes, and the
-    // ray may have left it long before t.max.
+    // [exercise 09.14] Search the inner grid's cells (search_cells) in the part t. If that does not end the
+    // search, it may be over all the same, as in 09.12: the inner grid is only as large as its shapes, and
+    // the ray may have left it long before t.max.
     return search_cells(inner, search, t) || search.end < t.max;
     // [/exercise]
 }
@@ -128,14 +113,52 @@ bool search_cells(const Grid& grid, Search& search, Interval part) {
 
 }  // namespace
 
+Boundaries boundaries_along(const GridShape& shape, const Ray& ray, int axis) {
+    // [exercise 09.9] t0 = (low − o)/d, and delta = cell_size/d, where cell_size is edge/cells. Where one of
+    // these is not finite, return Boundaries as they are made. Else delta says which way the ray goes: up,
+    // the last boundary is number `cells`; down, it is number 0.
+    const Real d = ray.direction[axis];
+    const Real cell_size =
+        (shape.box.high[axis] - shape.box.low[axis]) / static_cast<Real>(shape.cells[axis]);
+    const Real t0 = (shape.box.low[axis] - ray.origin[axis]) / d, delta = cell_size / d;
+    if (!(std::abs(t0) < infinity && std::abs(delta) < infinity)) return {};
+    if (delta > 0) return {.t0 = t0, .delta = delta, .step = 1, .last = shape.cells[axis]};
+    return {.t0 = t0, .delta = delta, .step = -1, .last = 0};
+    // [/exercise]
+}
+
+int cell_at(const GridShape& shape, const Ray& ray, int axis, const Boundaries& boundaries, Real t) {
+    // [exercise 09.10] Roughly by division: how many cells away from the low side of the box the ray is at t,
+    // as a real number, brought into 0 … cells − 1 and rounded down. Then, because that rounds, step by step
+    // until boundaries t0 + i · delta say the same: on while the boundary ahead is met at t or before, back
+    // while the one behind is met after t. The ray has no cell before the first, and none after the last. If
+    // `step` is 0 there are no boundaries to ask, and the ray is as far from the low side as its origin.
+    const int cells = shape.cells[axis];
+    const Real cell_size = (shape.box.high[axis] - shape.box.low[axis]) / static_cast<Real>(cells);
+    const Real place = boundaries.step == 0 ? (ray.origin[axis] - shape.box.low[axis]) / cell_size
+                                            : (t - boundaries.t0) / boundaries.delta;
+    // Written so that NaN becomes 0.
+    int cell = place > 0 ? static_cast<int>(std::min(place, static_cast<Real>(cells - 1))) : 0;
+    if (boundaries.step == 0) return cell;
+    const int step = boundaries.step, ahead = step > 0 ? 1 : 0;
+    const int first = step > 0 ? 0 : cells - 1, last = cells - 1 - first;
+    const auto t_at = [&](int boundary) { return boundaries.t0 + boundary * boundaries.delta; };
+    while (cell != last && t_at(cell + ahead) <= t) cell += step;
+    while (cell != first && t_at(cell + ahead - step) > t) cell -= step;
+    return cell;
+    // [/exercise]
+}
+
 std::vector<CellVisit> cells_along(const GridShape& shape, const Ray& ray, Interval range) {
     std::vector<CellVisit> visits;
     const std::optional<Interval> inside = clip(shape.box, ray, range);
     if (!inside) return visits;
+    const auto most = static_cast<std::size_t>(shape.cells.x + shape.cells.y + shape.cells.z + 1);
     walk(shape, ray, *inside, [&](std::size_t number, Interval t) {
         const int n = static_cast<int>(number), x = n % shape.cells.x, yz = n / shape.cells.x;
         visits.push_back({{x, yz % shape.cells.y, yz / shape.cells.y}, t});
-        return false;
+        // A walk that has lost its way need not fill the memory.
+        return visits.size() > most;
     });
     return visits;
 }

@@ -20,46 +20,52 @@ std::optional<Branch> spread(const Branch& branch, const Surface& surface, Real 
     // [/exercise]
 }
 
+namespace {
+
+/// The light that a branch brings back from its hit, times its weight; the rays that go on from there are
+/// pushed on the stack.
+Vec3 light_from(const World& world, const Branch& branch, const Hit& hit, Stream& stream,
+                std::vector<Branch>& stack) {
+    // [exercise 12.20] What a branch does at its hit. Where there is a light_at, it is all that there is.
+    // Else it is the local_light of chapter 7 (07.6), asked with the ray's time and the stream; then push
+    // what `scatter` returns, the last branch first. Of the branches, one whose gloss_of is greater than 0
+    // takes a next_point(stream) and is spread, or dropped. Count each pushed ray in ray_counts().
+    if (const std::optional<Vec3> light = light_at(world, branch.ray, hit)) return branch.weight * *light;
+    const Surface surface = surface_at(world, branch.ray, hit);
+    const Material material = material_at(world, hit, surface);
+    const Vec3& d = branch.ray.direction;
+    const Vec3 n = dot(surface.shading_normal, d) > 0 ? -surface.shading_normal : surface.shading_normal;
+    const Vec3 local = local_light(world, surface, material, n, -d, branch.ray.time, stream);
+    Branches next = scatter(world, branch, hit, surface, material);
+    for (int i = next.count - 1; i >= 0; --i) {
+        std::optional<Branch> going_on = next.branch[static_cast<std::size_t>(i)];
+        const Real exponent = gloss_of(world, material, going_on->kind == RayKind::Refraction);
+        if (exponent > 0) going_on = spread(*going_on, surface, exponent, next_point(stream));
+        if (!going_on) continue;
+        ++(going_on->kind == RayKind::Reflection ? ray_counts().reflection : ray_counts().refraction);
+        stack.push_back(std::move(*going_on));
+    }
+    return branch.weight * local;
+    // [/exercise]
+}
+
+}  // namespace
+
 Vec3 distributed(const World& world, const Ray& ray, Stream& stream) {
     Branch camera;
     camera.ray = ray;
     camera.media = world.eye_inside;
-    // [exercise 12.20] Walk the tree as `radiance` does (07.6). New are: a hit with a light_at adds that
-    // times the branch's weight, and nothing else; local_light is asked with the ray's time and the stream;
-    // and of the branches, one whose gloss_of is greater than 0 takes a next_point(stream) and is spread, or
-    // dropped.
-    Vec3 sum(0);
-    std::vector<Branch> stack{camera};
-    while (!stack.empty()) {
-        Branch branch = std::move(stack.back());
-        stack.pop_back();
-        const std::optional<Hit> hit = closest_hit(world, branch.ray, {0, infinity});
-        if (world.needs.absorption) branch.weight *= left_after(world, branch.media, hit ? hit->t : infinity);
-        if (!hit) {
-            sum += branch.weight * background(world, branch.ray.direction);
-            continue;
-        }
-        if (const std::optional<Vec3> light = light_at(world, branch.ray, *hit)) {
-            sum += branch.weight * *light;
-            continue;
-        }
-        const Surface surface = surface_at(world, branch.ray, *hit);
-        const Material material = material_at(world, *hit, surface);
-        const Vec3& d = branch.ray.direction;
-        const Vec3 n = dot(surface.shading_normal, d) > 0 ? -surface.shading_normal : surface.shading_normal;
-        sum += branch.weight * local_light(world, surface, material, n, -d, branch.ray.time, stream);
-        Branches next = scatter(world, branch, *hit, surface, material);
-        for (int i = next.count - 1; i >= 0; --i) {
-            std::optional<Branch> going_on = next.branch[static_cast<std::size_t>(i)];
-            const Real exponent = gloss_of(world, material, going_on->kind == RayKind::Refraction);
-            if (exponent > 0) going_on = spread(*going_on, surface, exponent, next_point(stream));
-            if (!going_on) continue;
-            ++(going_on->kind == RayKind::Reflection ? ray_counts().reflection : ray_counts().refraction);
-            stack.push_back(std::move(*going_on));
-        }
+    // The walk of 07.6.
+    Vec3 light(0);
+    for (std::vector<Branch> waiting{camera}; !waiting.empty();) {
+        Branch next = std::move(waiting.back());
+        waiting.pop_back();
+        const std::optional<Hit> found = closest_hit(world, next.ray, {0, infinity});
+        if (world.needs.absorption) next.weight *= left_after(world, next.media, found ? found->t : infinity);
+        light += found ? light_from(world, next, *found, stream, waiting)
+                       : next.weight * background(world, next.ray.direction);
     }
-    return sum;
-    // [/exercise]
+    return light;
 }
 
 }  // namespace rt

@@ -261,17 +261,17 @@ TEST_CASE("points on the common edge have one owner also where rounding decides"
     }
 }
 
-TEST_CASE("a ray hits a square where it is", "[03.7]") {
+TEST_CASE("a ray hits a square where it is", "[03.10]") {
     const Polygon square{unit_square};
     check_hit(square, {{0.25, 0.5, 3}, {0, 0, -1}}, {}, 3);
     check_miss(square, {{1.25, 0.5, 3}, {0, 0, -1}}, {});
 }
 
-TEST_CASE("a polygon is hit from both sides, and t counts lengths of the direction", "[03.7]") {
+TEST_CASE("a polygon is hit from both sides, and t counts lengths of the direction", "[03.10]") {
     check_hit({unit_square}, {{0.25, 0.5, -3}, {0, 0, 4}}, {}, 0.75);
 }
 
-TEST_CASE("a polygon behind the ray or out of its range is missed", "[03.7]") {
+TEST_CASE("a polygon behind the ray or out of its range is missed", "[03.10]") {
     const Polygon square{unit_square};
     const Ray ray{{0.25, 0.5, 3}, {0, 0, -1}};
     check_miss(square, {{0.25, 0.5, 3}, {0, 0, 1}}, {});
@@ -280,11 +280,11 @@ TEST_CASE("a polygon behind the ray or out of its range is missed", "[03.7]") {
     check_miss(square, ray, {0, 2.5});
 }
 
-TEST_CASE("a polygon without area is missed", "[03.7]") {
+TEST_CASE("a polygon without area is missed", "[03.10]") {
     check_miss({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}}, {{1, 0, 3}, {0, 0, -1}}, {});
 }
 
-TEST_CASE("a ray at the edge or corner that squares share hits exactly one of them", "[03.7]") {
+TEST_CASE("a ray at the edge or corner that squares share hits exactly one of them", "[03.10]") {
     const auto square = [](Real x, Real y) {
         return Polygon{{{x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0}}};
     };
@@ -305,7 +305,7 @@ TEST_CASE("a ray at the edge or corner that squares share hits exactly one of th
     }
 }
 
-TEST_CASE("rays along the slanting ridge of a roof hit exactly one of its sides", "[03.7]") {
+TEST_CASE("rays along the slanting ridge of a roof hit exactly one of its sides", "[03.10]") {
     // Numbers with long binary fractions, so that everything is rounded.
     const Vec3 p(0.1, 0.9, 0.3), q(0.7, 1.1, -2.4);
     const Polygon left{{p, q, {-1.3, 0.2, -2.3}, {-1.1, 0.1, 0.7}}};
@@ -321,7 +321,7 @@ TEST_CASE("rays along the slanting ridge of a roof hit exactly one of its sides"
     }
 }
 
-TEST_CASE("a star standing across each axis is hit in its points and missed in its notches", "[03.7]") {
+TEST_CASE("a star standing across each axis is hit in its points and missed in its notches", "[03.10]") {
     for (int axis = 0; axis < 3; ++axis) {
         const Polygon polygon{stand(star(), axis, 2)};
         for (int i = 0; i < 10; ++i) {
@@ -342,7 +342,7 @@ TEST_CASE("a star standing across each axis is hit in its points and missed in i
     }
 }
 
-TEST_CASE("of several polygons the nearest is hit, and of equal ones the first", "[03.7]") {
+TEST_CASE("of several polygons the nearest is hit, and of equal ones the first", "[03.10]") {
     std::vector<Polygon> polygons;
     for (const Real height : {1.0, 4.0, 2.0, 4.0}) polygons.push_back({stand(unit_square, 2, height)});
     const Ray ray{{0.25, 0.5, 9}, {0, 0, -1}};

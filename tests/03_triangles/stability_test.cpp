@@ -58,7 +58,7 @@ TEST_CASE("barycentric coordinates of slivers are as right as their shape allows
           judge(some(questions), ask<std::optional<Vec3>>(some(questions), naive_weights)));
 }
 
-TEST_CASE("the sign of an edge function is exact", "[03.4][stability]") {
+TEST_CASE("the sign of an edge function is exact", "[03.5][stability]") {
     const auto questions = turn_cases(how_many(tally, 100'000), seed);
     const auto turn = [](const TurnCase& question) { return edge_function(question.p, question.q); };
     const auto rounded = [](const TurnCase& question) {
@@ -68,7 +68,7 @@ TEST_CASE("the sign of an edge function is exact", "[03.4][stability]") {
           judge(some(questions), ask<Real>(some(questions), rounded)));
 }
 
-TEST_CASE("the hit with a triangle is right on extreme cases", "[03.4][stability]") {
+TEST_CASE("the hit with a triangle is right on extreme cases", "[03.7][stability]") {
     for (const TriangleFamily& family : triangle_families()) {
         const auto questions = family.make(how_many(tally, 100'000), seed);
         check(tally, family.name, judge(questions, ask<std::optional<Hit>>(questions, stable_hit)),
@@ -92,7 +92,7 @@ TEST_CASE("the unit normal is right for every shape and every order of the corne
     CHECK(tally.naive.mismatches > 0);
 }
 
-TEST_CASE("a ray at the seam of tiles hits exactly one of them", "[03.7][stability]") {
+TEST_CASE("a ray at the seam of tiles hits exactly one of them", "[03.10][stability]") {
     const auto questions = tiles_cases(how_many(tally, 100'000), seed);
     const auto hits = [](const TilesCase& question) { return tiles_hit(question, rt::intersect); };
     const auto textbook = [](const TilesCase& question) { return tiles_hit(question, naive::intersect); };
@@ -100,7 +100,7 @@ TEST_CASE("a ray at the seam of tiles hits exactly one of them", "[03.7][stabili
           judge(some(questions), ask<std::size_t>(some(questions), textbook)));
 }
 
-TEST_CASE("no ray slips through between two triangles", "[03.4][stability]") {
+TEST_CASE("no ray slips through between two triangles", "[03.7][stability]") {
     for (const SurfaceFamily& family : surface_families()) {
         const std::size_t rays = how_many(tally, family.triangles > 100 ? 500 : 100'000);
         // In parts, because a million cases at once fill the memory rather than the test.
@@ -116,7 +116,7 @@ TEST_CASE("no ray slips through between two triangles", "[03.4][stability]") {
     }
 }
 
-TEST_CASE("the nearest of many triangles is, to the bit, the nearest of one at a time", "[03.6][stability]") {
+TEST_CASE("the nearest of many triangles is, to the bit, the nearest of one at a time", "[03.9][stability]") {
     for (const SurfaceFamily& family : surface_families()) {
         const Bundles bundles = family.make(how_many(tally, family.triangles > 100 ? 100 : 20'000), seed);
         std::vector<Triangle> triangles;

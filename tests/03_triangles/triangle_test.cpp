@@ -1,4 +1,4 @@
-// Steps 03.3 to 03.6: normal and weights, the watertight test, the surface, the nearest of many.
+// Steps 03.3 to 03.9: normal and weights, the watertight test, the surface, the nearest of many.
 #include "chapters/03_triangles/triangle.hpp"
 #include "common/math/error.hpp"
 #include "tests/03_triangles/show.hpp"
@@ -195,36 +195,26 @@ TEST_CASE("a triangle without area has no weights", "[03.3]") {
 
 // ---------------------------------------------------------------------------------------------- 03.4
 
-TEST_CASE("an edge function is positive for a counterclockwise turn", "[03.4]") {
-    const auto check = [](const Vec2& p, const Vec2& q, Real expected) {
-        INFO("the edge function of p = " << p << " and q = " << q << ": p.x q.y - p.y q.x");
-        CHECK(test::near(edge_function(p, q), expected, 0));
+TEST_CASE("z is the axis along which a ray goes fastest, and x and y follow it round", "[03.4]") {
+    const auto check = [](const Vec3& direction, int z, const Vec2& slope) {
+        const ShearedRay ray = shear({{1, 2, 3}, direction});
+        INFO("a ray along " << direction << ": the axes that are called x, y and z, counted from 0");
+        CHECK(Vec3(ray.x, ray.y, ray.z) == Vec3((z + 1) % 3, (z + 2) % 3, z));
+        INFO("its slope, how fast it drifts aside along x and along y");
+        CHECK(test::near(ray.slope, slope, 0));
     };
-    check({1, 0}, {0, 1}, 1);
-    check({0, 1}, {1, 0}, -1);
-    check({3, 1}, {1, 2}, 5);
-    check({3, 1}, {6, 2}, 0);
+    check({1, 2, 4}, 2, {0.25, 0.5});
+    check({4, 1, 2}, 0, {0.25, 0.5});
+    check({1, -4, 2}, 1, {-0.5, -0.25});
+    check({0, 0, -8}, 2, {0, 0});
 }
 
-TEST_CASE("an edge function has the right sign where both products round to the same number", "[03.4]") {
-    // (1 + e)(1 − e) − 1·1 = −e², far below the last digit of 1.
-    const Real e = 0x1p-30;
-    INFO("the edge function of (1 + e, 1) and (1, 1 - e), and that of the two exchanged, where e = " << e);
-    CHECK(edge_function({1 + e, 1}, {1, 1 - e}) == -e * e);
-    CHECK(edge_function({1, 1 - e}, {1 + e, 1}) == e * e);
-}
-
-TEST_CASE("exchanging the ends of an edge changes the sign and nothing else", "[03.4]") {
-    Random random(37);
-    for (int i = 0; i < cases(20000); ++i) {
-        const Vec2 p(random.uniform(-1, 1), random.uniform(-1, 1));
-        // Half of the cases are nearly parallel: that is where rounding matters.
-        Vec2 q(random.uniform(-1, 1), random.uniform(-1, 1));
-        if (i % 2 == 0) q = p * random.uniform(-2, 2);
-        INFO("p = " << p << ", q = " << q
-                    << ": the edge function of p and q, expected minus that of q and p");
-        REQUIRE(edge_function(p, q) == -edge_function(q, p));
-    }
+TEST_CASE("what a slanting ray sees has moved aside by its slope times the depth", "[03.4]") {
+    // From the ray's origin the point is (1, 4, 5). At the depth of 4 along y, which is called z here, the
+    // ray has drifted by 2 along z and by −1 along x.
+    const Ray slanting{{1, 1, 1}, {-1, 4, 2}};
+    INFO("where the point (2, 5, 6) is seen along the " << slanting);
+    CHECK(test::near(seen(shear(slanting), {2, 5, 6}), {3, 2, 4}, 0));
 }
 
 TEST_CASE("seen along the ray, its own points have x = y = 0", "[03.4]") {
@@ -255,7 +245,151 @@ TEST_CASE("seen along a ray in the direction of z, points keep their places", "[
     check({{0, 0, 0}, {4, 1, 2}}, {4, 3, 5}, {2, 3, 4});
 }
 
-TEST_CASE("rays exactly at an edge or corner hit, in every order of the corners", "[03.4]") {
+// ---------------------------------------------------------------------------------------------- 03.5
+
+TEST_CASE("an edge function is positive for a counterclockwise turn", "[03.5]") {
+    const auto check = [](const Vec2& p, const Vec2& q, Real expected) {
+        INFO("the edge function of p = " << p << " and q = " << q << ": p.x q.y - p.y q.x");
+        CHECK(test::near(edge_function(p, q), expected, 0));
+    };
+    check({1, 0}, {0, 1}, 1);
+    check({0, 1}, {1, 0}, -1);
+    check({3, 1}, {1, 2}, 5);
+    check({3, 1}, {6, 2}, 0);
+}
+
+TEST_CASE("an edge function has the right sign where both products round to the same number", "[03.5]") {
+    // (1 + e)(1 − e) − 1·1 = −e², far below the last digit of 1.
+    const Real e = 0x1p-30;
+    INFO("the edge function of (1 + e, 1) and (1, 1 - e), and that of the two exchanged, where e = " << e);
+    CHECK(edge_function({1 + e, 1}, {1, 1 - e}) == -e * e);
+    CHECK(edge_function({1, 1 - e}, {1 + e, 1}) == e * e);
+}
+
+TEST_CASE("exchanging the ends of an edge changes the sign and nothing else", "[03.5]") {
+    Random random(37);
+    for (int i = 0; i < cases(20000); ++i) {
+        const Vec2 p(random.uniform(-1, 1), random.uniform(-1, 1));
+        // Half of the cases are nearly parallel: that is where rounding matters.
+        Vec2 q(random.uniform(-1, 1), random.uniform(-1, 1));
+        if (i % 2 == 0) q = p * random.uniform(-2, 2);
+        INFO("p = " << p << ", q = " << q
+                    << ": the edge function of p and q, expected minus that of q and p");
+        REQUIRE(edge_function(p, q) == -edge_function(q, p));
+    }
+}
+
+// ---------------------------------------------------------------------------------------------- 03.6
+
+TEST_CASE("where a ray hits, by the corners that it sees", "[03.6]") {
+    // The triangle's edge functions are 2 for a, 2 for b and 4 for c: weights of a quarter, a quarter, a
+    // half.
+    const Vec3 a(-1, -1, 6), b(1, -1, 10), c(0, 1, 4);
+    const ShearedRay ray{.ray = {{7, 8, 9}, {0, 0, 2}}};
+    INFO("along a ray with the direction (0, 0, 2), the corners are seen at a = "
+         << a << ", b = " << b << " and c = " << c << ", and weigh 1/4, 1/4 and 1/2");
+    const auto check = [&](const std::optional<Hit>& hit, const Vec2& uv) {
+        REQUIRE(hit);
+        {
+            INFO("t: the depth of the point, 6, over the direction's z");
+            CHECK(test::near(hit->t, 3, 0));
+        }
+        INFO("uv, the weights of b and c");
+        CHECK(test::near(hit->uv, uv, 0));
+    };
+    check(hit_of_seen(ray, a, b, c, {}), {0.25, 0.5});
+    INFO("the same triangle from the other side: b and c have changed places");
+    check(hit_of_seen(ray, a, c, b, {}), {0.5, 0.25});
+}
+
+TEST_CASE("the depth counts along the axis that is called z", "[03.6]") {
+    // Along x: coordinate number 0 of the direction is its z.
+    const ShearedRay ray{.ray = {{0, 0, 0}, {4, 1, 2}}, .x = 1, .y = 2, .z = 0, .slope = {0.25, 0.5}};
+    const std::optional<Hit> hit = hit_of_seen(ray, {-1, -1, 8}, {3, -1, 8}, {-1, 3, 8}, {});
+    INFO(
+        "along a ray with the direction (4, 1, 2) all corners are seen 8 deep: t, and the weights of b and "
+        "c");
+    REQUIRE(hit);
+    CHECK(test::near(hit->t, 2, 0));
+    CHECK(test::near(hit->uv, {0.25, 0.25}, 0));
+}
+
+TEST_CASE("an edge or a corner that the ray passes through weighs nothing of the others", "[03.6]") {
+    const ShearedRay ray{.ray = {{0, 0, 0}, {0, 0, 1}}};
+    const auto check = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec2& uv) {
+        INFO("the corners are seen at a = " << a << ", b = " << b << " and c = " << c
+                                            << ": the weights of b and c");
+        const std::optional<Hit> hit = hit_of_seen(ray, a, b, c, {});
+        REQUIRE(hit);
+        CHECK(test::near(hit->uv, uv, 0));
+    };
+    check({-1, 0, 5}, {1, 0, 5}, {0, 4, 5}, {0.5, 0});
+    check({4, 1, 5}, {0, 0, 5}, {1, 4, 5}, {1, 0});
+    check({4, 1, 5}, {1, 4, 5}, {0, 0, 5}, {0, 1});
+}
+
+TEST_CASE("a hit out of the range is none", "[03.6]") {
+    const ShearedRay ray{.ray = {{0, 0, 0}, {0, 0, 1}}};
+    const auto check = [&](Real depth, const Interval& range, bool expected) {
+        const std::optional<Hit> hit =
+            hit_of_seen(ray, {-1, -1, depth}, {1, -1, depth}, {0, 1, depth}, range);
+        INFO("a triangle across the ray at t = " << depth << ", range " << range);
+        CHECK(test::or_say(hit.has_value() == expected,
+                           expected ? "missed, expected a hit" : "hit, expected a miss"));
+    };
+    check(5, {0, 5}, true);
+    check(5, {5, 9}, false);
+    check(5, {0, 4.5}, false);
+    check(-5, {0, infinity}, false);
+}
+
+// ---------------------------------------------------------------------------------------------- 03.7
+
+TEST_CASE("a ray down onto the triangle hits it at its height, weights by head", "[03.7]") {
+    check_hit_at(right_angled, {{1, 2, 5}, {0, 0, -1}}, 5, {0.25, 0.5});
+}
+
+TEST_CASE("t counts lengths of the direction", "[03.7]") {
+    check_hit_at(right_angled, {{1, 2, 5}, {0, 0, -4}}, 1.25, {0.25, 0.5});
+}
+
+TEST_CASE("both sides of a triangle are hit", "[03.7]") {
+    check_hit_at(right_angled, {{1, 2, -5}, {0, 0, 1}}, 5, {0.25, 0.5});
+}
+
+TEST_CASE("rays past each of the edges miss", "[03.7]") {
+    check_miss(right_angled, {{2.5, 2.5, 5}, {0, 0, -1}});
+    check_miss(right_angled, {{-0.5, 1, 5}, {0, 0, -1}});
+    check_miss(right_angled, {{1, -0.5, 5}, {0, 0, -1}});
+}
+
+TEST_CASE("edges and corners belong to the triangle", "[03.7]") {
+    for (const Vec3& w :
+         {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.5, 0.5, 0), Vec3(0, 0.25, 0.75)}) {
+        const Vec3 target = weighted(right_angled, w);
+        check_hit_at(right_angled, {target + Vec3(0, 0, 5), {0, 0, -1}}, 5, {w.y, w.z});
+    }
+}
+
+TEST_CASE("a triangle behind the ray is missed", "[03.7]") {
+    check_miss(right_angled, {{1, 1, 5}, {0, 0, 1}});
+    check_miss(right_angled, {{1, 1, -5}, {0, 0, -1}});
+}
+
+TEST_CASE("the range leaves out its beginning and includes its end", "[03.7]") {
+    check_miss(right_angled, {{1, 1, 5}, {0, 0, -1}}, {5, 10});
+    check_hit(right_angled, {{1, 1, 5}, {0, 0, -1}}, {4, 5});
+    check_miss(right_angled, {{1, 1, 5}, {0, 0, -1}}, {0, 4});
+    check_hit(right_angled, {{1, 1, -5}, {0, 0, -1}}, {-10, 0});
+}
+
+TEST_CASE("a triangle seen edge-on is missed", "[03.7]") {
+    check_miss(right_angled, {{-3, 1, 0}, {1, 0, 0}});
+    check_miss(right_angled, {{1, -3, 0}, {0, 1, 0}});
+    check_miss(right_angled, {{-1, -1, 0}, {1, 1, 0}});
+}
+
+TEST_CASE("rays exactly at an edge or corner hit, in every order of the corners", "[03.7]") {
     // None of these numbers is rounded: a slanted triangle, and rays at whole multiples of an edge's tenth.
     const Vec3 a(3, -7, 11), step(2, 5, -3), b = a + 10.0 * step, c(-20, 13, 4);
     for (int i = 0; i <= 10; ++i) {
@@ -270,7 +404,7 @@ TEST_CASE("rays exactly at an edge or corner hit, in every order of the corners"
     }
 }
 
-TEST_CASE("a ray that passes a corner by the last bit of a coordinate misses", "[03.4]") {
+TEST_CASE("a ray that passes a corner by the last bit of a coordinate misses", "[03.7]") {
     // The corner (1, 1, 0) is seen from above, and from 1 aside; beyond it is nothing.
     const Triangle triangle{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
     const Real above = std::nextafter(1.0, 2.0), below = std::nextafter(1.0, 0.0);
@@ -281,51 +415,7 @@ TEST_CASE("a ray that passes a corner by the last bit of a coordinate misses", "
     check_hit(triangle, {{1, below, 5}, {0, 0, -1}});
 }
 
-TEST_CASE("a ray down onto the triangle hits it at its height, weights by head", "[03.4]") {
-    check_hit_at(right_angled, {{1, 2, 5}, {0, 0, -1}}, 5, {0.25, 0.5});
-}
-
-TEST_CASE("t counts lengths of the direction", "[03.4]") {
-    check_hit_at(right_angled, {{1, 2, 5}, {0, 0, -4}}, 1.25, {0.25, 0.5});
-}
-
-TEST_CASE("both sides of a triangle are hit", "[03.4]") {
-    check_hit_at(right_angled, {{1, 2, -5}, {0, 0, 1}}, 5, {0.25, 0.5});
-}
-
-TEST_CASE("rays past each of the edges miss", "[03.4]") {
-    check_miss(right_angled, {{2.5, 2.5, 5}, {0, 0, -1}});
-    check_miss(right_angled, {{-0.5, 1, 5}, {0, 0, -1}});
-    check_miss(right_angled, {{1, -0.5, 5}, {0, 0, -1}});
-}
-
-TEST_CASE("edges and corners belong to the triangle", "[03.4]") {
-    for (const Vec3& w :
-         {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.5, 0.5, 0), Vec3(0, 0.25, 0.75)}) {
-        const Vec3 target = weighted(right_angled, w);
-        check_hit_at(right_angled, {target + Vec3(0, 0, 5), {0, 0, -1}}, 5, {w.y, w.z});
-    }
-}
-
-TEST_CASE("a triangle behind the ray is missed", "[03.4]") {
-    check_miss(right_angled, {{1, 1, 5}, {0, 0, 1}});
-    check_miss(right_angled, {{1, 1, -5}, {0, 0, -1}});
-}
-
-TEST_CASE("the range leaves out its beginning and includes its end", "[03.4]") {
-    check_miss(right_angled, {{1, 1, 5}, {0, 0, -1}}, {5, 10});
-    check_hit(right_angled, {{1, 1, 5}, {0, 0, -1}}, {4, 5});
-    check_miss(right_angled, {{1, 1, 5}, {0, 0, -1}}, {0, 4});
-    check_hit(right_angled, {{1, 1, -5}, {0, 0, -1}}, {-10, 0});
-}
-
-TEST_CASE("a triangle seen edge-on is missed", "[03.4]") {
-    check_miss(right_angled, {{-3, 1, 0}, {1, 0, 0}});
-    check_miss(right_angled, {{1, -3, 0}, {0, 1, 0}});
-    check_miss(right_angled, {{-1, -1, 0}, {1, 1, 0}});
-}
-
-TEST_CASE("a triangle without area is missed, wherever the ray points", "[03.4]") {
+TEST_CASE("a triangle without area is missed, wherever the ray points", "[03.7]") {
     const Vec3 p(0.25, 0.5, 0.75), q(1, 2, 3);
     const std::vector<Triangle> flat = {
         {p, p, p}, {p, p, q}, {p, q, p}, {q, p, p}, {p, q, p + 2.0 * (q - p)}};
@@ -345,7 +435,7 @@ TEST_CASE("a triangle without area is missed, wherever the ray points", "[03.4]"
     }
 }
 
-TEST_CASE("rays along each axis, both ways, hit a triangle across the axis", "[03.4]") {
+TEST_CASE("rays along each axis, both ways, hit a triangle across the axis", "[03.7]") {
     const Triangle across{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}};
     for (int axis = 0; axis < 3; ++axis) {
         for (const Real way : {-1.0, 1.0}) {
@@ -357,7 +447,7 @@ TEST_CASE("rays along each axis, both ways, hit a triangle across the axis", "[0
     }
 }
 
-TEST_CASE("a ray hits where it is aimed, and misses where it is aimed outside", "[03.4]") {
+TEST_CASE("a ray hits where it is aimed, and misses where it is aimed outside", "[03.7]") {
     Random random(39);
     for (int i = 0; i < cases(10000); ++i) {
         const Triangle t = random_triangle(random);
@@ -386,7 +476,7 @@ TEST_CASE("a ray hits where it is aimed, and misses where it is aimed outside", 
     }
 }
 
-TEST_CASE("the order of the corners changes neither hit nor miss", "[03.4]") {
+TEST_CASE("the order of the corners changes neither hit nor miss", "[03.7]") {
     Random random(40);
     for (int i = 0; i < cases(5000); ++i) {
         const Triangle t = random_triangle(random);
@@ -403,7 +493,7 @@ TEST_CASE("the order of the corners changes neither hit nor miss", "[03.4]") {
     }
 }
 
-TEST_CASE("directions and triangles of any size", "[03.4]") {
+TEST_CASE("directions and triangles of any size", "[03.7]") {
     for (const Real size : {1e-20, 1e-10, 1e10, 1e20}) {
         for (const Real length : {1e-20, 1e-10, 1e10, 1e20}) {
             INFO("triangle scaled by " << size << ", direction of length " << length);
@@ -417,7 +507,7 @@ TEST_CASE("directions and triangles of any size", "[03.4]") {
     }
 }
 
-TEST_CASE("no ray escapes through the edges and corners of a closed octahedron", "[03.4]") {
+TEST_CASE("no ray escapes through the edges and corners of a closed octahedron", "[03.7]") {
     Random random(41);
     // Near the origin, and where the meshes of a city model might stand.
     for (const Vec3& center : {Vec3(0.1, 0.2, 0.3), Vec3(148376, 1234, -223423)}) {
@@ -446,7 +536,7 @@ TEST_CASE("no ray escapes through the edges and corners of a closed octahedron",
     }
 }
 
-TEST_CASE("no ray passes between the slices of a fan", "[03.4]") {
+TEST_CASE("no ray passes between the slices of a fan", "[03.7]") {
     Random random(42);
     const int slices = 1000;
     std::vector<Vec3> rim;
@@ -467,9 +557,9 @@ TEST_CASE("no ray passes between the slices of a fan", "[03.4]") {
     }
 }
 
-// ---------------------------------------------------------------------------------------------- 03.5
+// ---------------------------------------------------------------------------------------------- 03.8
 
-TEST_CASE("the surface at a hit: point by weights, flat normal, weights as uv", "[03.5]") {
+TEST_CASE("the surface at a hit: point by weights, flat normal, weights as uv", "[03.8]") {
     const Surface surface =
         surface_at(right_angled, Ray{{1, 2, 5}, {0, 0, -1}}, Hit{.t = 5, .uv = {0.25, 0.5}});
     INFO(right_angled << ", weights 0.25 of a, 0.25 of b and 0.5 of c");
@@ -486,14 +576,14 @@ TEST_CASE("the surface at a hit: point by weights, flat normal, weights as uv", 
     CHECK(test::near(surface.uv, {0.25, 0.5}, 0));
 }
 
-TEST_CASE("the normal is not turned to the viewer", "[03.5]") {
+TEST_CASE("the normal is not turned to the viewer", "[03.8]") {
     const Surface from_below =
         surface_at(right_angled, Ray{{1, 2, -5}, {0, 0, 1}}, Hit{.t = 5, .uv = {0.25, 0.5}});
     INFO("the normal, seen from below");
     CHECK(test::near_direction(from_below.normal, {0, 0, 1}, 0));
 }
 
-TEST_CASE("the surface point lies on the triangle's plane within the error that it claims", "[03.5]") {
+TEST_CASE("the surface point lies on the triangle's plane within the error that it claims", "[03.8]") {
     Random random(43);
     for (int i = 0; i < cases(20000); ++i) {
         const Triangle t = moved(scaled(random_triangle(random), random.magnitude(-6, 6)),
@@ -512,14 +602,14 @@ TEST_CASE("the surface point lies on the triangle's plane within the error that 
     }
 }
 
-TEST_CASE("three equal normals interpolate to themselves", "[03.5]") {
+TEST_CASE("three equal normals interpolate to themselves", "[03.8]") {
     const Vec3 n(0, 0.6, 0.8);
     const Vec3 result = interpolate(TriangleNormals{n, n, n}, {0.2, 0.3}, {0, 0, 1});
     INFO("the interpolated normal");
     CHECK(test::near_direction(result, n, 4 * unit_roundoff));
 }
 
-TEST_CASE("at a corner the interpolated normal is the corner's", "[03.5]") {
+TEST_CASE("at a corner the interpolated normal is the corner's", "[03.8]") {
     const TriangleNormals normals{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const auto check = [&](const Vec2& uv, const Vec3& expected) {
         INFO("normals (1, 0, 0) at a, (0, 1, 0) at b, (0, 0, 1) at c; interpolated where b and c weigh "
@@ -531,7 +621,7 @@ TEST_CASE("at a corner the interpolated normal is the corner's", "[03.5]") {
     check({0, 1}, {0, 0, 1});
 }
 
-TEST_CASE("the normal half-way between two is a unit vector, however long theirs are", "[03.5]") {
+TEST_CASE("the normal half-way between two is a unit vector, however long theirs are", "[03.8]") {
     const Vec3 expected = Vec3(1, 1, 0) / std::sqrt(Real(2));
     for (const Real length : {1.0, 5.0, 1e-100, 1e100}) {
         const TriangleNormals normals{{length, 0, 0}, {0, length, 0}, {0, 0, length}};
@@ -541,13 +631,13 @@ TEST_CASE("the normal half-way between two is a unit vector, however long theirs
     }
 }
 
-TEST_CASE("where the normals cancel, the flat normal stands in", "[03.5]") {
+TEST_CASE("where the normals cancel, the flat normal stands in", "[03.8]") {
     const TriangleNormals opposite{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}};
     INFO("half-way between (1, 0, 0) and (-1, 0, 0), where the flat normal is (0, 0, 1)");
     CHECK(interpolate(opposite, {0.5, 0}, {0, 0, 1}) == Vec3(0, 0, 1));
 }
 
-TEST_CASE("texture coordinates are interpolated linearly", "[03.5]") {
+TEST_CASE("texture coordinates are interpolated linearly", "[03.8]") {
     const TriangleUvs uvs{{2, 1}, {1, 0}, {0.5, 2}};
     const auto check = [&](const Vec2& weights, const Vec2& expected) {
         INFO("uv (2, 1) at a, (1, 0) at b, (0.5, 2) at c; interpolated where b and c weigh " << weights);
@@ -559,9 +649,9 @@ TEST_CASE("texture coordinates are interpolated linearly", "[03.5]") {
     check({0.25, 0.5}, {1, 1.25});
 }
 
-// ---------------------------------------------------------------------------------------------- 03.6
+// ---------------------------------------------------------------------------------------------- 03.9
 
-TEST_CASE("of several triangles the nearest is hit, wherever it stands in the list", "[03.6]") {
+TEST_CASE("of several triangles the nearest is hit, wherever it stands in the list", "[03.9]") {
     const Ray ray{{1, 1, 9}, {0, 0, -1}};
     for (std::size_t place = 0; place < 3; ++place) {
         std::vector<Triangle> triangles(3, right_angled);
@@ -573,7 +663,7 @@ TEST_CASE("of several triangles the nearest is hit, wherever it stands in the li
     }
 }
 
-TEST_CASE("of equally near triangles the first wins", "[03.6]") {
+TEST_CASE("of equally near triangles the first wins", "[03.9]") {
     const Ray ray{{1, 1, 9}, {0, 0, -1}};
     const Triangle far = moved(right_angled, {0, 0, -3});
     const std::vector<Triangle> triangles = {far, right_angled, right_angled, far};
@@ -589,13 +679,13 @@ TEST_CASE("of equally near triangles the first wins", "[03.6]") {
     CHECK(shared->primitive == 0);
 }
 
-TEST_CASE("no triangles, no hit", "[03.6]") {
+TEST_CASE("no triangles, no hit", "[03.9]") {
     CHECK_FALSE(closest_hit(std::vector<Triangle>{}, Ray{}, Interval{}));
     INFO("whether any_hit finds something where there are no triangles");
     CHECK(any_hit(std::vector<Triangle>{}, Ray{}, Interval{}) == false);
 }
 
-TEST_CASE("closest_hit and any_hit keep to the range", "[03.6]") {
+TEST_CASE("closest_hit and any_hit keep to the range", "[03.9]") {
     const std::vector<Triangle> triangles = {right_angled, moved(right_angled, {0, 0, 4})};
     const Ray ray{{1, 1, 9}, {0, 0, -1}};
     const auto check = [&](const Interval& range, const std::optional<Hit>& expected) {
@@ -610,7 +700,7 @@ TEST_CASE("closest_hit and any_hit keep to the range", "[03.6]") {
     check({4, 5}, Hit{.t = 5, .primitive = 1});
 }
 
-TEST_CASE("closest_hit says to the bit what asking each triangle says", "[03.6]") {
+TEST_CASE("closest_hit says to the bit what asking each triangle says", "[03.9]") {
     Random random(44);
     std::vector<Triangle> triangles;
     for (int i = 0; i < 50; ++i) triangles.push_back(random_triangle(random));

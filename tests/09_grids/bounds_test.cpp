@@ -189,6 +189,20 @@ TEST_CASE("a ray in a face, along an edge, or through a corner is in the box the
     check_part(unit_box, {{0, 2, 0}, {1, -1, 0}}, Interval{1, 1});
 }
 
+TEST_CASE("rounding makes no ray miss an edge that it passes through", "[09.2]") {
+    // At t = 0.4 the ray is at the edge x = 0.3, y = 0.2. There it leaves the slab of x and enters that of y,
+    // and (0.3 + 0.9)/3 is rounded to less than (0.2 + 0.6)/2.
+    const Bounds box{{-0.3, 0.2, 0}, {0.3, 1, 1}};
+    const Ray ray{{-0.9, -0.6, 0.5}, {3, 2, 0}};
+    INFO(box << ", " << ray << " through its edge x = 0.3, y = 0.2");
+    const std::optional<Interval> part = clip(box, ray, {});
+    REQUIRE(
+        test::or_say(part.has_value(), "a miss, expected a hit at t = 0.4: rounding must be allowed for"));
+    INFO("where it enters and leaves, both at t = 0.4");
+    CHECK(test::near(part->min, 0.4, 16 * unit_roundoff));
+    CHECK(test::near(part->max, 0.4, 16 * unit_roundoff));
+}
+
 TEST_CASE("a box without thickness is met, an empty box is not", "[09.2]") {
     const Bounds sheet{{0, 0, 0}, {1, 0, 1}};
     check_met(sheet, {{0.5, 1, 0.5}, {0, -1, 0}});

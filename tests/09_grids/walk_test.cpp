@@ -23,9 +23,119 @@ void check_no_fault(const GridShape& shape, const Ray& ray, const std::vector<Ce
     CHECK(or_say(fault.empty(), fault));
 }
 
+void check_boundaries(const GridShape& shape, const Ray& ray, int axis, const Boundaries& expected) {
+    const Boundaries found = boundaries_along(shape, ray, axis);
+    INFO(shape.cells << " cells in a " << shape.box << ", " << ray << ": the boundaries along axis number "
+                     << axis);
+    {
+        INFO("step and last boundary");
+        CHECK(or_say(found.step == expected.step && found.last == expected.last,
+                     "step " + show(found.step) + " and last " + show(found.last) + ", expected " +
+                         show(expected.step) + " and " + show(expected.last)));
+    }
+    if (expected.step == 0) return;
+    {
+        INFO("t0, where boundary number 0 is met");
+        CHECK(near(found.t0, expected.t0, 8 * unit_roundoff * std::abs(expected.t0)));
+    }
+    INFO("delta, how much later the next one is");
+    CHECK(near(found.delta, expected.delta, 8 * unit_roundoff * std::abs(expected.delta)));
+}
+
+/// The cell along x of four cells of edge 1, by boundaries that the test works out.
+void check_cell(const Ray& ray, Real t, int expected) {
+    const Real d = ray.direction.x;
+    Boundaries boundaries;
+    if (d != 0)
+        boundaries = {.t0 = -ray.origin.x / d, .delta = 1 / d, .step = d > 0 ? 1 : -1, .last = d > 0 ? 4 : 0};
+    INFO("4 cells of edge 1 along x, " << ray << ": the cell at t = " << t << ", counted from 0");
+    CHECK(cell_at(unit_cells({4, 1, 1}), ray, 0, boundaries, t) == expected);
+}
+
 }  // namespace
 
-TEST_CASE("a ray along an axis visits a row of cells", "[09.6]") {
+TEST_CASE("boundaries are met at equal distances, going up or going down", "[09.9]") {
+    const GridShape shape = unit_cells({4, 3, 2});
+    const Ray ray{{-1, 4, 0.5}, {2, -0.5, 0}};
+    check_boundaries(shape, ray, 0, {.t0 = 0.5, .delta = 0.5, .step = 1, .last = 4});
+    check_boundaries(shape, ray, 1, {.t0 = 8, .delta = -2, .step = -1, .last = 0});
+    // Eight cells of edge 1/4 from x = 10 to 12, from the middle of them.
+    const GridShape fine{{{10, 0, 0}, {12, 1, 1}}, {8, 1, 1}};
+    check_boundaries(fine, {{11, 0.5, 0.5}, {1, 0, 0}}, 0, {.t0 = -1, .delta = 0.25, .step = 1, .last = 8});
+    check_boundaries(fine, {{11, 0.5, 0.5}, {-1, 0, 0}}, 0, {.t0 = 1, .delta = -0.25, .step = -1, .last = 0});
+}
+
+TEST_CASE("a ray that is parallel to the boundaries, or nearly, meets none", "[09.9]") {
+    const Real tiny = std::numeric_limits<Real>::denorm_min();
+    const GridShape shape = unit_cells({4, 3, 2});
+    for (const Real d : {0.0, -0.0, tiny, -tiny})
+        for (const Real x : {-1.0, 0.0, 0.5, 2.0, 4.0})
+            check_boundaries(shape, {{x, 1, 1}, {d, 1, 0}}, 0, {});
+}
+
+TEST_CASE("going up, the cell at t is as many as there are boundaries that were met", "[09.10]") {
+    // The boundaries 0, 1, 2, 3 and 4 are met at t = 1, 2, 3, 4 and 5.
+    const Ray up{{-1, 0.5, 0.5}, {1, 0, 0}};
+    check_cell(up, 1.5, 0);
+    check_cell(up, 2.5, 1);
+    check_cell(up, 4.5, 3);
+    // At a boundary the ray is in the cell behind it.
+    check_cell(up, 1, 0);
+    check_cell(up, 2, 1);
+    check_cell(up, 4, 3);
+    // Before the grid it is in the first cell, behind it in the last.
+    check_cell(up, -99, 0);
+    check_cell(up, 5, 3);
+    check_cell(up, 99, 3);
+}
+
+TEST_CASE("going down, it comes from the last cell", "[09.10]") {
+    // The boundaries 4, 3, 2, 1 and 0 are met at t = 1, 2, 3, 4 and 5.
+    const Ray down{{5, 0.5, 0.5}, {-1, 0, 0}};
+    check_cell(down, 1.5, 3);
+    check_cell(down, 2.5, 2);
+    check_cell(down, 4.5, 0);
+    check_cell(down, 1, 3);
+    check_cell(down, 2, 2);
+    check_cell(down, 4, 0);
+    check_cell(down, -99, 3);
+    check_cell(down, 5, 0);
+    check_cell(down, 99, 0);
+}
+
+TEST_CASE("where no boundary is met, the cell is that of the origin", "[09.10]") {
+    for (const Real t : {0.0, 7.0}) {
+        check_cell({{0.5, 0, 0}, {0, 1, 0}}, t, 0);
+        check_cell({{2.5, 0, 0}, {-0.0, 1, 0}}, t, 2);
+        check_cell({{3.5, 0, 0}, {0, 1, 0}}, t, 3);
+        check_cell({{-1, 0, 0}, {0, 1, 0}}, t, 0);
+        check_cell({{9, 0, 0}, {0, 1, 0}}, t, 3);
+    }
+}
+
+TEST_CASE("where division rounds to the wrong side of a boundary, the boundary itself decides", "[09.10]") {
+    Random random(921);
+    for (int k = 0; k < cases(20'000); ++k) {
+        const int n = 2 + static_cast<int>(random.index(60));
+        const bool up = random.index(2) == 0;
+        const Boundaries all{.t0 = random.uniform(-3, 3),
+                             .delta = (up ? 1 : -1) * random.uniform(0.01, 1),
+                             .step = up ? 1 : -1,
+                             .last = up ? n : 0};
+        // At a boundary, or a rounding before it or after it.
+        const Real met =
+            all.t0 + (1 + static_cast<int>(random.index(static_cast<std::size_t>(n - 1)))) * all.delta;
+        const Real t = random.index(3) == 0 ? met : std::nextafter(met, random.index(2) == 0 ? -9 : 99);
+        int passed = 0;
+        for (int i = 1; i < n; ++i) passed += all.t0 + i * all.delta <= t ? 1 : 0;
+        INFO(n << " cells, boundary i is met at t = " << all.t0 << " + i * " << all.delta
+               << ", as it is computed: " << passed << " of those between two cells are met up to t = " << t
+               << "; the cell there, going " << (up ? "up" : "down"));
+        REQUIRE(cell_at(unit_cells({n, 1, 1}), Ray{}, 0, all, t) == (up ? passed : n - 1 - passed));
+    }
+}
+
+TEST_CASE("a ray along an axis visits a row of cells", "[09.11]") {
     const GridShape shape = unit_cells({4, 3, 3});
     const Ray ray{{-1, 1.5, 0.5}, {1, 0, -0.0}};
     check_cells(shape, ray, {{0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {3, 1, 0}});
@@ -42,7 +152,7 @@ TEST_CASE("a ray along an axis visits a row of cells", "[09.6]") {
     check_cells(shape, {{9, 1.5, 0.5}, {-2, 0, 0}}, {{3, 1, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}});
 }
 
-TEST_CASE("a slanted ray takes one step at a time", "[09.6]") {
+TEST_CASE("a slanted ray takes one step at a time", "[09.11]") {
     // Half as steep as the diagonal, from y = 1/4: it comes to y = 1 at x = 1.5, and to y = 2 at x = 3.5.
     const Ray ray{{0, 0.25, 0.5}, {1, 0.5, 0}};
     check_cells(unit_cells({4, 4, 1}), ray,
@@ -54,7 +164,7 @@ TEST_CASE("a slanted ray takes one step at a time", "[09.6]") {
     CHECK(visits[2].t.max == 2);
 }
 
-TEST_CASE("the range cuts the walk", "[09.6]") {
+TEST_CASE("the range cuts the walk", "[09.11]") {
     const GridShape shape = unit_cells({8, 1, 1});
     const Ray ray{{0, 0.5, 0.5}, {1, 0, 0}};
     check_cells(shape, ray, {{2, 0, 0}, {3, 0, 0}, {4, 0, 0}}, {2.5, 4.5});
@@ -67,7 +177,7 @@ TEST_CASE("the range cuts the walk", "[09.6]") {
                 {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}}, {-infinity, 0});
 }
 
-TEST_CASE("from a face, an edge or a corner of a cell the walk goes on from there", "[09.6]") {
+TEST_CASE("from a face, an edge or a corner of a cell the walk goes on from there", "[09.11]") {
     const GridShape shape = unit_cells({4, 4, 4});
     for (const Vec3& from : {Vec3(2, 1.5, 1.5), Vec3(2, 2, 1.5), Vec3(2, 2, 2), Vec3(0, 0, 0), Vec3(4, 4, 4)})
         for (const Vec3& d : {Vec3(1, 0, 0), Vec3(-1, 0.0, -0.0), Vec3(0, 0, -1), Vec3(1, 1, 1),
@@ -79,7 +189,7 @@ TEST_CASE("from a face, an edge or a corner of a cell the walk goes on from ther
         }
 }
 
-TEST_CASE("an exact diagonal passes from corner to corner", "[09.6]") {
+TEST_CASE("an exact diagonal passes from corner to corner", "[09.11]") {
     for (const Real sign : {1.0, -1.0}) {
         const GridShape shape = unit_cells({5, 5, 5});
         const Ray ray{Vec3(2.5) - 4 * sign * Vec3(1), Vec3(sign)};
@@ -96,7 +206,7 @@ TEST_CASE("an exact diagonal passes from corner to corner", "[09.6]") {
     }
 }
 
-TEST_CASE("the walk that was reported to lose its way in cells of 16", "[09.6]") {
+TEST_CASE("the walk that was reported to lose its way in cells of 16", "[09.11]") {
     const GridShape shape{{Vec3(-1024), Vec3(1024)}, Cells(128)};
     const Vec3 from(-668, -340, 77), to(404, -64, -784);
     for (const Ray& ray : {Ray{from, to - from}, Ray{to, from - to}}) {
@@ -116,7 +226,7 @@ TEST_CASE("the walk that was reported to lose its way in cells of 16", "[09.6]")
     }
 }
 
-TEST_CASE("a walk ends whatever the numbers", "[09.6]") {
+TEST_CASE("a walk ends whatever the numbers", "[09.11]") {
     const Real huge = 1e300, tiny = 1e-300, least = std::numeric_limits<Real>::denorm_min();
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const GridShape shape = unit_cells({7, 5, 3});

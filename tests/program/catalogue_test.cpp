@@ -35,6 +35,24 @@ TEST_CASE("the catalogue of the course itself is right") {
     }
 }
 
+TEST_CASE("no hint has more than three sentences") {
+    const auto sentences = [](const std::string& text) {
+        int count = 0;
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            const bool ends = i + 1 == text.size() || text[i + 1] == ' ';
+            const bool is_one_of_three = i > 0 && text[i] == '.' && text[i - 1] == '.';
+            if (ends && !is_one_of_three && std::string(".!?").find(text[i]) != std::string::npos) ++count;
+        }
+        return count;
+    };
+    for (const Chapter& chapter : read_catalogue({test::repository(), ""}))
+        for (const Step& step : chapter.steps)
+            for (const std::string& hint : step.hints) {
+                INFO(step.id << ": " << hint);
+                CHECK(sentences(hint) <= 3);
+            }
+}
+
 TEST_CASE("the README's table has the chapters' hours") {
     const std::string readme = read_file(test::repository() + "/README.md");
     for (const Chapter& chapter : read_catalogue({test::repository(), ""})) {

@@ -10,6 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
 
 namespace rt::stability {
 namespace {
@@ -86,7 +89,7 @@ std::vector<Instance> instances_at(const std::vector<Place>& places, Random& ran
         SharedMesh mesh = some_mesh(random);
         if (random.index(2) == 0) {
             mesh.triangles.accelerator =
-                build_grid(std::span<const Triangle>(mesh.triangles.shapes), {.crowd = 4});
+                build_grid(std::span<const Triangle>(mesh.triangles.shapes), {.nested = false});
             mesh.triangles.mailbox = m;
         }
         meshes.push_back({std::make_shared<const SharedMesh>(std::move(mesh))});
@@ -440,24 +443,48 @@ Grid grid_over(const GridScene& scene) {
         scene.shapes);
 }
 
-}  // namespace
-
-GridScene make_scene(const GridFamily& family, std::uint64_t seed) {
+GridScene scene_without_grid(const GridFamily& family, std::uint64_t seed) {
     Random random(seed);
     GridScene scene{family.make(random), {}, {}};
     scene.options.density = random.magnitude(-0.5, 1.3);
     scene.options.nested = random.index(3) > 0;
     scene.options.crowd = 1 + static_cast<int>(random.index(10));
+    return scene;
+}
+
+/// Gives the grids of placed meshes grids in them.
+void nest_grids_of_meshes(AnyShapes& shapes) {
+    auto* instances = std::get_if<std::vector<Instance>>(&shapes);
+    if (!instances) return;
+    std::map<std::shared_ptr<const SharedMesh>, std::shared_ptr<const SharedMesh>> nested;
+    for (Instance& instance : *instances) {
+        std::shared_ptr<const SharedMesh>& mesh = instance.shape.mesh;
+        std::shared_ptr<const SharedMesh>& other = nested[mesh];
+        if (!other) {
+            SharedMesh copy = *mesh;
+            if (has_accelerator(copy.triangles))
+                copy.triangles.accelerator =
+                    build_grid(std::span<const Triangle>(copy.triangles.shapes), {.crowd = 4});
+            other = std::make_shared<const SharedMesh>(std::move(copy));
+        }
+        mesh = other;
+    }
+}
+
+}  // namespace
+
+GridScene make_scene(const GridFamily& family, std::uint64_t seed) {
+    GridScene scene = scene_without_grid(family, seed);
+    if (scene.options.nested) nest_grids_of_meshes(scene.shapes);
     scene.grid = grid_over(scene);
     return scene;
 }
 
 GridScene make_scene(const GridFamily& family, std::uint64_t seed, bool nested) {
-    GridScene scene = make_scene(family, seed);
-    if (scene.options.nested != nested) {
-        scene.options.nested = nested;
-        scene.grid = grid_over(scene);
-    }
+    GridScene scene = scene_without_grid(family, seed);
+    scene.options.nested = nested;
+    if (nested) nest_grids_of_meshes(scene.shapes);
+    scene.grid = grid_over(scene);
     return scene;
 }
 

@@ -40,7 +40,7 @@ std::span<const GridFamily> grid_families();
 /// A scene of the family, its options chosen at random, and its grid.
 GridScene make_scene(const GridFamily& family, std::uint64_t seed);
 
-/// The same with a uniform grid, or with grids in it. Meshes that are placed have grids in grids always.
+/// The same with a uniform grid, or with grids in it, and so the meshes that are placed.
 GridScene make_scene(const GridFamily& family, std::uint64_t seed, bool nested);
 
 struct GridQuestion {
