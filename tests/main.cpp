@@ -60,13 +60,14 @@ std::string describe(const Catch::AssertionStats& stats) {
     std::ostringstream text;
     for (const Catch::MessageInfo& info : stats.infoMessages)
         if (info.type == Catch::ResultWas::Info) text << info.message << '\n';
+    text << "came out: ";
     if (result.getResultType() == Catch::ResultWas::ThrewException)
-        text << "an exception came out: " << result.getMessage();
+        text << "the exception " << result.getMessage();
     else if (result.getResultType() == Catch::ResultWas::DidntThrowException)
-        text << "no exception came out";
+        text << "no exception";
     else if (result.hasExpandedExpression())
-        text << "came out: " << in_words(result.getExpandedExpression());
-    else if (result.hasMessage())
+        text << in_words(result.getExpandedExpression());
+    else
         text << result.getMessage();
     text << "\n" << relative_to_root(place.file) << ':' << place.line;
     // A condition that says itself what is wrong has said it.

@@ -189,6 +189,13 @@ TEST_CASE("a ray in a face, along an edge, or through a corner is in the box the
     check_part(unit_box, {{0, 2, 0}, {1, -1, 0}}, Interval{1, 1});
 }
 
+TEST_CASE("a ray that touches an edge is not lost to rounding", "[09.2]") {
+    // At t = 1/5 it is in (1, 1/5), on the edge of the box. The two distances are computed as 0.2 and as
+    // 0.19999999999999998, so that the ray seems to leave the one pair of planes before it enters the other.
+    INFO("the ray touches an edge at t = 1/5; both distances are computed, and each may be off by roundings");
+    check_met({{1, 0, 0}, {2, 0.2, 1}}, {{0, -1, 0.5}, {5, 6, 0}});
+}
+
 TEST_CASE("a box without thickness is met, an empty box is not", "[09.2]") {
     const Bounds sheet{{0, 0, 0}, {1, 0, 1}};
     check_met(sheet, {{0.5, 1, 0.5}, {0, -1, 0}});

@@ -200,18 +200,27 @@ TEST_CASE("beyond the edge of the texture the wrap decides", "[11.12]") {
 }
 
 TEST_CASE("the axes of a footprint, by hand", "[11.12]") {
-    const Ellipse square = ellipse({{0.5, 0}, {0, 0.5}}, {8, 8});
-    CHECK(test::near(square.major, 4, gamma(32) * 4));
-    CHECK(test::near(square.minor, 4, gamma(32) * 4));
-    // (3, 4) and (-4, 3) times 2 and 1, in a texture of 10 by 20 texels.
-    const Ellipse slanted = ellipse({{0.6, 0.4}, {-0.4, 0.15}}, {10, 20});
-    CHECK(test::near(slanted.major, 10, gamma(32) * 10));
-    CHECK(test::near(slanted.minor, 5, gamma(32) * 10));
-    CHECK(test::near(slanted.along, Vec2(0.6, 0.8), gamma(32)));
-    // Nearly the same direction twice: long and narrow, though both vectors are long.
-    const Ellipse flat = ellipse({{1, 1}, {1, 1}}, {1, 1});
-    CHECK(test::near(flat.major, 2, gamma(32) * 2));
-    CHECK(test::near(flat.minor, 0, gamma(32) * 2));
+    const auto check_axes = [](const Ellipse& actual, Real major, Real minor) {
+        {
+            INFO("the long axis, in texels");
+            CHECK(test::near(actual.major, major, gamma(32) * major));
+        }
+        INFO("the short axis, in texels");
+        CHECK(test::near(actual.minor, minor, gamma(32) * major));
+    };
+    {
+        INFO("a pixel that is (0.5, 0) by (0, 0.5) of a texture of 8 by 8 texels");
+        check_axes(ellipse({{0.5, 0}, {0, 0.5}}, {8, 8}), 4, 4);
+    }
+    {
+        INFO("a pixel that is (0.6, 0.4) by (-0.4, 0.15) of 10 by 20 texels: (6, 8) by (-4, 3) texels");
+        const Ellipse slanted = ellipse({{0.6, 0.4}, {-0.4, 0.15}}, {10, 20});
+        check_axes(slanted, 10, 5);
+        INFO("the direction of the long axis");
+        CHECK(test::near(slanted.along, Vec2(0.6, 0.8), gamma(32)));
+    }
+    INFO("a pixel of which both sides are (1, 1) of a single texel: long and without width");
+    check_axes(ellipse({{1, 1}, {1, 1}}, {1, 1}), 2, 0);
 }
 
 TEST_CASE("the footprint finds what the point was made of", "[11.12]") {

@@ -231,13 +231,17 @@ TEST_CASE("bright above the horizon and black below it", "[11.9]") {
 TEST_CASE("each band by itself: x, and xy", "[11.9]") {
     // L = 1 + x gives π + 2π/3 n.x, and L = 1 + xy gives π + π/4 n.x n.y.
     const Polynomial2 x{1, {1, 0, 0}, Mat3(0)};
+    const auto check_light = [](const char* sky, const SkyLight& light, const Vec3& normal, Real expected) {
+        INFO("the light of a sky that shines " << sky << " on a surface with the normal " << normal);
+        CHECK(test::near_color(irradiance(light, normal), Vec3(expected), 200 * u));
+    };
     const SkyLight of_x{coefficients_of(x)};
-    CHECK(test::near(irradiance(of_x, {1, 0, 0}), Vec3(5 * pi / 3), 200 * u));
-    CHECK(test::near(irradiance(of_x, {-0.6, 0.8, 0}), Vec3(0.6 * pi), 200 * u));
+    check_light("1 + x", of_x, {1, 0, 0}, 5 * pi / 3);
+    check_light("1 + x", of_x, {-0.6, 0.8, 0}, 0.6 * pi);
     const Polynomial2 xy{1, {0, 0, 0}, Mat3(0, 0.5, 0, 0.5, 0, 0, 0, 0, 0)};
     const SkyLight of_xy{coefficients_of(xy)};
-    CHECK(test::near(irradiance(of_xy, {0.6, 0.8, 0}), Vec3(1.12 * pi), 200 * u));
-    CHECK(test::near(irradiance(of_xy, {0.6, 0, -0.8}), Vec3(pi), 200 * u));
+    check_light("1 + xy", of_xy, {0.6, 0.8, 0}, 1.12 * pi);
+    check_light("1 + xy", of_xy, {0.6, 0, -0.8}, pi);
 }
 
 TEST_CASE("skies of degree 2 are exact", "[11.9]") {
@@ -314,11 +318,16 @@ TEST_CASE("a smooth sky of degree 4, against a sum over the hemisphere", "[11.9]
 }
 
 TEST_CASE("the light of skies as scenes have them", "[11.9]") {
-    const SkyLight grey = sky_light(ConstantSky{{0.5, 1, 2}});
-    CHECK(test::near(grey.coefficients[0], Vec3(0.5, 1, 2) * std::sqrt(4 * pi), 1e-10));
-    // A gradient's mean is half of the horizon's colour and a quarter of each of the others.
+    {
+        INFO("the first coefficient of a sky that is (0.5, 1, 2) everywhere: that times the root of 4 pi");
+        const SkyLight grey = sky_light(ConstantSky{{0.5, 1, 2}});
+        CHECK(test::near_color(grey.coefficients[0], Vec3(0.5, 1, 2) * std::sqrt(4 * pi), 1e-10));
+    }
+    INFO(
+        "the first coefficient of a gradient: half of the horizon's colour, a quarter of each of the others");
     const SkyLight gradient = sky_light(GradientSky{{0, 0, 4}, {1, 1, 1}, {0, 2, 0}});
-    CHECK(test::near(gradient.coefficients[0], Vec3(0.5, 1, 1.5) * std::sqrt(4 * pi), 1e-5));
+    CHECK(test::near_color(gradient.coefficients[0], Vec3(0.5, 1, 1.5) * std::sqrt(4 * pi), 1e-5));
+    INFO("then a sky that is a picture");
     const Image picture = one_pixel(4, 2, 0, 0, Vec3(2));
     const SkyLight shown = sky_light(ImageSky{std::make_shared<const Image>(picture)});
     check_coefficients(shown, projected(picture).coefficients, 1e-13);

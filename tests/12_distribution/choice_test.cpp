@@ -106,9 +106,12 @@ TEST_CASE("each is chosen as often as it weighs, and what is left is uniform", "
     std::vector<int> first(8, 0), second(8, 0), third(8, 0);
     Random random(121501);
     for (int i = 0; i < count; ++i) {
-        const Choice choice = choose(sums, random.uniform(0, 1));
+        const Real number = random.uniform(0, 1);
+        const Choice choice = choose(sums, number);
+        INFO("of the sums 0.7, 0.8 and 1 the number " << number << " chooses index " << choice.index
+                                                      << " of 0, 1 and 2, and leaves " << choice.random);
         REQUIRE(choice.index < 3);
-        REQUIRE((choice.random >= 0 && choice.random < 1));
+        REQUIRE(test::or_say(choice.random >= 0 && choice.random < 1, "what is left is not in [0, 1)"));
         auto& part = choice.index == 0 ? first : choice.index == 1 ? second : third;
         ++part[static_cast<std::size_t>(choice.random * 8)];
     }

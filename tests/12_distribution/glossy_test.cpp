@@ -10,6 +10,7 @@
 using namespace rt;
 using test::cases;
 using test::near;
+using test::near_color;
 using test::Random;
 using test::towards;
 
@@ -116,7 +117,13 @@ TEST_CASE("directions around an axis are as dense as they claim", "[12.16]") {
 }
 
 TEST_CASE("how much of the directions the highlight gets", "[12.17]") {
+    const auto which = [](const char* name, const auto& lobe) {
+        return std::string("the highlight's part of ") + name + ", diffuse " + test::show(lobe.diffuse) +
+               " and specular " + test::show(lobe.specular);
+    };
+    INFO(which("Phong's surface", plastic));
     CHECK(near(highlight_part(plastic), 2 / 3.0, gamma(16)));
+    INFO(which("facets over a ground", satin));
     CHECK(near(highlight_part(satin), 0.75, gamma(16)));
     INFO("of colours the mean counts");
     CHECK(near(highlight_part(ModifiedPhong{{0.3, 0, 0}, {0, 0.3, 0.6}, 1}), 0.75, gamma(16)));
@@ -212,6 +219,8 @@ TEST_CASE("a sample of Phong's is weighed by both ways together", "[12.17]") {
             CHECK(one->weight[c] <= (matte + shiny) * (1 + bound));
         }
     }
+    INFO("of " << cases(3000)
+               << " samples that were asked for, how many there are; some lead below the surface");
     CHECK(drawn >= test::demanded(cases(1500), cases(800)));
 }
 
@@ -237,6 +246,8 @@ TEST_CASE("a sample of satin is weighed by both ways together", "[12.17]") {
         const Real white = facets_by_tangent(ggx.roughness, l, v) + 1 / pi;
         CHECK(near(one->weight * one->pdf, evaluate(ggx, l, v) * l.z, bound * white));
     }
+    INFO("of " << cases(3000)
+               << " samples that were asked for, how many there are; some lead below the surface");
     CHECK(drawn >= test::demanded(cases(1500), cases(800)));
 }
 
@@ -299,7 +310,10 @@ TEST_CASE("GGX by tangents, as the successor course writes it", "[12.17]") {
 TEST_CASE("what Phong's surface returns of an even light", "[12.17]") {
     // Straight from above diffuse + specular. The midpoint rule errs by less than 1e-3.
     const ModifiedPhong blue{Vec3(0.3, 0, 0.5), Vec3(0.6, 1, 0), 10};
-    CHECK(near(furnace(blue, up, test::dome(), 128), Vec3(0.9, 1, 0.5), 1e-3));
+    {
+        INFO("diffuse (0.3, 0, 0.5), specular (0.6, 1, 0), exponent 10, the viewer above");
+        CHECK(near_color(furnace(blue, up, test::dome(), 128), Vec3(0.9, 1, 0.5), 1e-3));
+    }
     for (const Real exponent : {0.0, 1.0, 10.0, 5000.0}) {
         INFO("exponent " << exponent << ", the viewer above, the ground black");
         const ModifiedPhong shiny{Vec3(0), Vec3(0.6, 1, 0), exponent};
@@ -330,5 +344,6 @@ TEST_CASE("glossy surfaces return no more light than they get", "[12.17]") {
     }
     // Straight from above with α = 1: 1 − ln 2, as for rough metal. The matte ground adds its colour.
     const test::Chart chart = test::mirrored_by_facets(1, up);
+    INFO("facets with alpha 1 over a ground of 0.3, seen from straight above: 0.3 + 1 - ln 2");
     CHECK(near(furnace(DiffuseGgx{Vec3(0.3), Vec3(1), 1}, up, chart, 64).x, 1.3 - std::log(2.0), 2e-3));
 }

@@ -143,8 +143,13 @@ TEST_CASE("at time ¼ a thing has moved by a quarter, and its rays come from as 
 
 TEST_CASE("at time 0, and without motion, it is the ray itself", "[12.9]") {
     const Ray early{{0.1, 0.2, 0.3}, {1, 2, 3}, 0}, later{{0.1, 0.2, 0.3}, {1, 2, 3}, 0.7};
-    CHECK(seen_while_moving(early, {1e10, -3, 7}).origin == early.origin);
+    {
+        INFO("at time 0, a thing that moves by (1e10, -3, 7): the origin of the ray that it sees");
+        CHECK(seen_while_moving(early, {1e10, -3, 7}).origin == early.origin);
+    }
+    INFO("at time 0.7, a thing that does not move: the origin of the ray that it sees");
     CHECK(seen_while_moving(later, {0, 0, 0}).origin == later.origin);
+    INFO("and its time");
     CHECK(seen_while_moving(later, {0, 0, 0}).time == 0.7);
 }
 

@@ -177,8 +177,10 @@ TEST_CASE("by area the points are even on the lamp, however near it is", "[12.18
     Random random(12184);
     const int drawn = cases(20000);
     for (int i = 0; i < drawn; ++i) {
-        const auto sample = sample_light(light, Vec3(0), LightSampling::Area, square_point(random));
-        REQUIRE(sample.has_value());
+        const Vec2 numbers = square_point(random);
+        const auto sample = sample_light(light, Vec3(0), LightSampling::Area, numbers);
+        INFO("by area, seen from the origin, random numbers " << numbers);
+        REQUIRE(test::or_say(sample.has_value(), "nothing"));
         const Vec3 found = sample->distance * sample->direction;
         const auto part = [](Real x) {
             return static_cast<std::size_t>(std::clamp(2 * (x + 1), Real(0), Real(3.5)));
@@ -194,8 +196,10 @@ TEST_CASE("by area the colour is that of the chosen point", "[12.18]") {
     Random random(12185);
     const AreaLight light{ceiling(1, 0, 3, 0, 2), Vec3(pi)};
     for (int i = 0; i < cases(300); ++i) {
-        const auto sample = sample_light(light, Vec3(0), LightSampling::Area, square_point(random));
-        REQUIRE(sample.has_value());
+        const Vec2 numbers = square_point(random);
+        const auto sample = sample_light(light, Vec3(0), LightSampling::Area, numbers);
+        INFO("by area, seen from the origin, random numbers " << numbers);
+        REQUIRE(test::or_say(sample.has_value(), "nothing"));
         const Real expected = 6 * std::pow(sample->distance, -3);
         INFO("radiance pi, area 6, at the height 1: 6/d³; the sample has d = " << sample->distance);
         REQUIRE(near(sample->color, Vec3(expected), gamma(256) * expected));
