@@ -66,7 +66,7 @@ std::string describe(const Catch::AssertionStats& stats) {
     else if (result.getResultType() == Catch::ResultWas::DidntThrowException)
         text << "no exception";
     else if (result.hasExpandedExpression())
-        text << in_words(result.getExpandedExpression());
+        text << in_words(result.getExpandedExpression(), result.getExpression());
     else
         text << result.getMessage();
     text << "\n" << relative_to_root(place.file) << ':' << place.line;

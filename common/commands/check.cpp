@@ -79,6 +79,14 @@ ChapterResult narrowed(const Request& request, const Chapter& chapter, ChapterRe
     return result;
 }
 
+/// The first line of what is wrong, and how to see the others.
+std::string first_line_of(const StepResult& step) {
+    const auto end = step.message.find('\n');
+    if (end == std::string::npos) return details(step);
+    return details({step.id, step.state, step.message.substr(0, end)}) +
+           paint(fmt::format("        ./course check {} shows more\n", step.id), Tone::Dim);
+}
+
 void print_chapter(const Chapter& chapter, const ChapterResult& result) {
     fmt::print("{}  {} of {}\n",
                paint(fmt::format("Chapter {}: {}", chapter.number, chapter.title), Tone::Bold),
@@ -87,14 +95,14 @@ void print_chapter(const Chapter& chapter, const ChapterResult& result) {
         fmt::print("  {} It does not build:\n      {}\n", paint("✗", Tone::Bad), result.build_error);
         return;
     }
+    const bool alone = result.steps.size() == 1;
     bool shown = false;
     for (const StepResult& step : result.steps) {
         fmt::print("{}\n", step_line(step_of(chapter, step.id), step));
-        if (step.state != State::Failed) continue;
+        // What follows from another step is no trouble of its own, unless it is asked for.
+        if (step.state != State::Failed || (!step.because.empty() && !alone)) continue;
         // One message is enough to work on; the others' first lines say that there are more.
-        fmt::print("{}", shown
-                             ? details({step.id, step.state, step.message.substr(0, step.message.find('\n'))})
-                             : details(step));
+        fmt::print("{}", shown ? first_line_of(step) : details(step));
         shown = true;
     }
 }

@@ -5,6 +5,7 @@
 #include "common/math/printable.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/lock.hpp"
+#include "common/workbook/causes.hpp"
 #include "common/workbook/exercise.hpp"
 #include "common/workbook/solutions.hpp"
 
@@ -194,6 +195,7 @@ std::vector<ChapterResult> check_chapters(const Project& project, const std::vec
     const BuildResult together =
         targets.empty() ? BuildResult{} : build_targets(project, targets, label, true);
 
+    const std::vector<Chapter> catalogue = read_catalogue(project);
     std::vector<ChapterResult> results;
     for (std::size_t i = 0; i < chapters.size(); ++i) {
         const Chapter& chapter = *chapters[i];
@@ -205,6 +207,9 @@ std::vector<ChapterResult> check_chapters(const Project& project, const std::vec
                                       : build_targets(project, {target}, label);
         results.push_back(build.ok ? judge_program(project, chapter, target)
                                    : not_built(chapter, build.message));
+        find_causes(catalogue,
+                    solutions ? std::set<std::string>() : failed_before(project, catalogue, chapter),
+                    results.back());
         if (!solutions) remember(project, chapter, results.back(), sources[i]);
     }
     return results;

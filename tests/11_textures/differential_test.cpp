@@ -180,7 +180,7 @@ TEST_CASE("a ray that grazes the surface has a finite differential", "[11.10]") 
     const RayDifferential answer = transferred(at_eye, {{0, 0, 0}, {1, 0, 0}}, 5, {0, 1, 0});
     INFO("the ray runs along the plane: " << text(answer));
     for (const Vec3& part : {answer.origin_dx, answer.origin_dy, answer.direction_dx, answer.direction_dy})
-        CHECK(test::is_finite(part));
+        CHECK(test::or_say(test::is_finite(part), test::show(part) + " is not finite"));
 }
 
 TEST_CASE("the camera's differential is the slope between neighbouring rays of the picture", "[11.10]") {

@@ -187,7 +187,7 @@ TEST_CASE("probes lie along the longer axis, whatever its direction", "[11.12]")
     };
     const Vec3 expected = (look(0, 0) + look(0.6, 0.8) + look(-0.6, -0.8)) / 3.0;
     INFO("texture of 32 x 32 texels at uv " << uv << ", " << text(seen) << ", at most 16 probes");
-    CHECK(test::near(anisotropic(map, uv, seen, Wrap::Repeat, 16), expected, bound(map, uv, 1)));
+    CHECK(test::near_color(anisotropic(map, uv, seen, Wrap::Repeat, 16), expected, bound(map, uv, 1)));
 }
 
 TEST_CASE("beyond the edge of the texture the wrap decides", "[11.12]") {
@@ -195,8 +195,8 @@ TEST_CASE("beyond the edge of the texture the wrap decides", "[11.12]") {
     const Footprint seen{{3.0 / 8, 0}, {0, 1.0 / 8}};
     const Vec2 uv = centre(map, 7, 3);
     INFO("column 0 is white, the middle of the footprint, 3 texels by 1, is on the last");
-    CHECK(test::near(anisotropic(map, uv, seen, Wrap::Repeat, 16), Vec3(1.0 / 3), bound(map, uv, 1)));
-    CHECK(test::near(anisotropic(map, uv, seen, Wrap::Clamp, 16), Vec3(0), bound(map, uv, 1)));
+    CHECK(test::near_color(anisotropic(map, uv, seen, Wrap::Repeat, 16), Vec3(1.0 / 3), bound(map, uv, 1)));
+    CHECK(test::near_color(anisotropic(map, uv, seen, Wrap::Clamp, 16), Vec3(0), bound(map, uv, 1)));
 }
 
 TEST_CASE("the axes of a footprint, by hand", "[11.12]") {
@@ -288,8 +288,9 @@ TEST_CASE("anisotropic lookups are what their definition says, however the pixel
         // Of a footprint that is nearly a circle, rounding may turn the axis: by 8u/(1 - minor/major) times
         // the major axis, in texels, none of which differs from the next by more than 1.
         const Real turn = gamma(16) * major / std::max(1 - minor / major, Real(0x1p-20));
-        CHECK(test::near(anisotropic(map, uv, seen, Wrap::Repeat, most_probes),
-                         by_definition(map, uv, along, major, minor, most_probes), bound(map, uv, 1) + turn));
+        CHECK(test::near_color(anisotropic(map, uv, seen, Wrap::Repeat, most_probes),
+                               by_definition(map, uv, along, major, minor, most_probes),
+                               bound(map, uv, 1) + turn));
     }
 }
 
@@ -309,6 +310,6 @@ TEST_CASE("a growing footprint changes the colour without jumps", "[11.12]") {
         const Vec3 before = anisotropic(map, uv, below, Wrap::Repeat, 16);
         // The outermost probes move by 75 texels times the step at most, the weights and the level by a few
         // steps; nearly circular footprints may turn, but then have one probe that matters.
-        CHECK(test::near(anisotropic(map, uv, above, Wrap::Repeat, 16), before, 400 * step));
+        CHECK(test::near_color(anisotropic(map, uv, above, Wrap::Repeat, 16), before, 400 * step));
     }
 }

@@ -54,8 +54,8 @@ void check_color(const MipMap& map, const Vec2& uv, Real width, Wrap wrap, const
                  Real greatest) {
     const Image& first = map.levels.front();
     INFO(first.width << " x " << first.height << " texels, uv = " << uv << ", width " << width);
-    CHECK(
-        near(trilinear(map, uv, width, wrap), expected, gamma(16 * (first.width + first.height)) * greatest));
+    CHECK(test::near_color(trilinear(map, uv, width, wrap), expected,
+                           gamma(16 * (first.width + first.height)) * greatest));
 }
 
 /// 1 3 5 11, then 2 8, then 5
@@ -245,7 +245,7 @@ TEST_CASE("where the colour grows evenly it is right, or nearly", "[11.3]") {
         INFO(side << " x " << side << " texels with the colour " << by_u << " u + " << by_v
                   << " v, uv = " << uv << ", level " << level);
         const Real off = is_power ? 0 : (std::abs(by_u) + std::abs(by_v)) * coarse / 16;
-        CHECK(near(trilinear(map, uv, std::exp2(level) / side, Wrap::Clamp), color(uv.x, uv.y),
-                   off + gamma(16 * 2 * side) * 2));
+        CHECK(test::near_color(trilinear(map, uv, std::exp2(level) / side, Wrap::Clamp), color(uv.x, uv.y),
+                               off + gamma(16 * 2 * side) * 2));
     }
 }

@@ -217,7 +217,7 @@ void check_seen(SkyMap map, Real degrees, const Vec3& direction, const Vec3& exp
                                     << " degrees; red is the column, "
                                     << "blue the upper row; direction " << direction);
     // The place is 16u off at most, times 4 columns, and colours differ by at most 3 from one to the next.
-    CHECK(test::near(sky_radiance(sky, direction), expected, 16 * u16));
+    CHECK(test::near_color(sky_radiance(sky, direction), expected, 16 * u16));
 }
 
 }  // namespace

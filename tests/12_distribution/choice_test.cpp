@@ -18,11 +18,10 @@ namespace {
 using Numbers = std::vector<Real>;
 
 /// Whether two lists are equal, but for rounding.
-bool all_near(const Numbers& actual, const Numbers& expected) {
-    if (actual.size() != expected.size()) return false;
-    for (std::size_t i = 0; i < actual.size(); ++i)
-        if (!near(actual[i], expected[i], gamma(16))) return false;
-    return true;
+test::Told all_near(const Numbers& actual, const Numbers& expected) {
+    bool right = actual.size() == expected.size();
+    for (std::size_t i = 0; right && i < actual.size(); ++i) right = near(actual[i], expected[i], gamma(16));
+    return test::or_say(right, test::show(actual) + ", expected " + test::show(expected));
 }
 
 void check_choice(const Numbers& sums, Real random, std::uint32_t index, Real probability, Real rest) {

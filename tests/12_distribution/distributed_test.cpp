@@ -242,7 +242,7 @@ TEST_CASE("what moves stands in the light for a part of the time", "[12.20]") {
     INFO("a floor straight below a ball that is in the way of a lamp at time 0, and goes away");
     for (const Real time : {0.0, 0.0625, 0.25, 0.5}) {
         INFO("at time " << time << ", when it has moved by " << 8 * time << " of its radius");
-        CHECK(near(seen(world, at_time(down, time)), Vec3(time < 0.125 ? 0 : 1), gamma(64)));
+        CHECK(near_color(seen(world, at_time(down, time)), Vec3(time < 0.125 ? 0 : 1), gamma(64)));
     }
 }
 
@@ -263,7 +263,7 @@ TEST_CASE("a bar that moves past covers a pixel for a quarter of the time", "[12
     const Ray ray{{2, 0, 5}, {0, 0, -1}};
     for (const Real time : {0.1, 0.24, 0.26, 0.4, 0.49, 0.51, 0.9}) {
         INFO("at time " << time << ", of a bar that is there from 1/4 to 1/2");
-        CHECK(near(seen(world, at_time(ray, time)), Vec3(time > 0.25 && time < 0.5 ? 1 : 0), 0));
+        CHECK(near_color(seen(world, at_time(ray, time)), Vec3(time > 0.25 && time < 0.5 ? 1 : 0), 0));
     }
     int covered = 0;
     for (int i = 0; i < 64; ++i) covered += seen(world, at_time(ray, (i + 0.5) / 64)).x > 0;
@@ -343,7 +343,7 @@ TEST_CASE("sharp mirrors stay sharp beside glossy ones", "[12.20]") {
                    "gloss 1\nsphere 99 0 0  1\nspecular 0 0 0\nemission 1 .5 .25\nsphere 0 5 0  .01\n");
     for (int i = 0; i < 20; ++i) {
         INFO("a small ball straight above a mirror that has no gloss");
-        CHECK(near(seen(world, down, i), {1, 0.5, 0.25}, gamma(64)));
+        CHECK(near_color(seen(world, down, i), {1, 0.5, 0.25}, gamma(64)));
     }
 }
 
@@ -372,7 +372,7 @@ TEST_CASE("mirrored and refracted rays spread independently of each other", "[12
 TEST_CASE("the same stream gives the same light, another one another", "[12.20]") {
     const World world = world_with("diffuse 1 1 1\n" + floor_of + lamp_above);
     INFO("the light of a floor below a lamp, twice with the same random numbers");
-    CHECK(near(seen(world, down, 5), seen(world, down, 5), 0));
+    CHECK(near_color(seen(world, down, 5), seen(world, down, 5), 0));
     INFO("and with others");
     CHECK(seen(world, down, 5) != seen(world, down, 6));
 }

@@ -141,49 +141,49 @@ TEST_CASE("how much of the directions the highlight gets", "[12.17]") {
 TEST_CASE("Phong's highlight by hand", "[12.17]") {
     // The light where a mirror sees it: 0.3/π + 0.6·12/(2π) = 3.9/π.
     INFO("to the light " << left << ", to the viewer " << right);
-    CHECK(near(evaluate(plastic, left, right), Vec3(3.9 / pi), gamma(256)));
+    CHECK(near_color(evaluate(plastic, left, right), Vec3(3.9 / pi), gamma(256)));
     // A third of 0.5/π and two thirds of 11/(2π).
     CHECK(near(pdf(plastic, left, right), 23 / (6 * pi), gamma(256)));
     // From above it is 60 degrees off: 2^-10.
     INFO("then to the light " << up);
-    CHECK(near(evaluate(plastic, up, right), Vec3((0.3 + 3.6 / 1024) / pi), gamma(64)));
+    CHECK(near_color(evaluate(plastic, up, right), Vec3((0.3 + 3.6 / 1024) / pi), gamma(64)));
     CHECK(near(pdf(plastic, up, right), (1 + 11 / 1024.0) / (3 * pi), gamma(64)));
     // Back to the viewer it is 120 degrees off: no highlight, also for an even power.
     INFO("then to the light " << right);
-    CHECK(near(evaluate(plastic, right, right), Vec3(0.3 / pi), gamma(64)));
+    CHECK(near_color(evaluate(plastic, right, right), Vec3(0.3 / pi), gamma(64)));
     CHECK(near(pdf(plastic, right, right), 1 / (6 * pi), gamma(64)));
     INFO("then in colour");
-    CHECK(near(evaluate(ModifiedPhong{{0.1, 0.2, 0.3}, {0.6, 0.3, 0}, 10}, left, right),
-               Vec3(3.7, 2.0, 0.3) / pi, gamma(256)));
+    CHECK(near_color(evaluate(ModifiedPhong{{0.1, 0.2, 0.3}, {0.6, 0.3, 0}, 10}, left, right),
+                     Vec3(3.7, 2.0, 0.3) / pi, gamma(256)));
 }
 
 TEST_CASE("satin by hand", "[12.17]") {
     // h is the normal, D = 4/π, G₁ = 4/(2 + √7) twice, 4·l.z·v.z = 1; F = 0.6 + 0.4/32.
     const Real g1 = 4 / (2 + std::sqrt(7.0));
     INFO("alpha 0.5, to the light " << left << ", to the viewer " << right);
-    CHECK(near(evaluate(satin, left, right), Vec3((0.2 + 2.45 * g1 * g1) / pi), gamma(64)));
+    CHECK(near_color(evaluate(satin, left, right), Vec3((0.2 + 2.45 * g1 * g1) / pi), gamma(64)));
     // A quarter of 0.5/π; three quarters of D/(4·½).
     CHECK(near(pdf(satin, left, right), 1.625 / pi, gamma(64)));
     INFO("then straight up and back: D/4 = 1/π, F = 0.6");
-    CHECK(near(evaluate(satin, up, up), Vec3(0.8 / pi), gamma(64)));
+    CHECK(near_color(evaluate(satin, up, up), Vec3(0.8 / pi), gamma(64)));
     CHECK(near(pdf(satin, up, up), 1 / pi, gamma(64)));
     // Even a black one reflects: F = 1/32.
     INFO("then black, to the light " << left << ", to the viewer " << right);
-    CHECK(
-        near(evaluate(DiffuseGgx{Vec3(0), Vec3(0), 0.5}, left, right), Vec3(g1 * g1 / (8 * pi)), gamma(64)));
+    CHECK(near_color(evaluate(DiffuseGgx{Vec3(0), Vec3(0), 0.5}, left, right), Vec3(g1 * g1 / (8 * pi)),
+                     gamma(64)));
     CHECK(near(pdf(DiffuseGgx{Vec3(0), Vec3(0), 0.5}, left, right), 2 / pi, gamma(64)));
 }
 
 TEST_CASE("below the surface glossy ones are 0", "[12.17]") {
     for (const Vec3& below : {Vec3(0, 0, -1), Vec3(right.x, 0, -0.5), Vec3(1, 0, 0)}) {
         INFO("one direction is " << below << ", the other " << right);
-        CHECK(near(evaluate(plastic, below, right), Vec3(0), 0));
-        CHECK(near(evaluate(plastic, right, below), Vec3(0), 0));
+        CHECK(near_color(evaluate(plastic, below, right), Vec3(0), 0));
+        CHECK(near_color(evaluate(plastic, right, below), Vec3(0), 0));
         CHECK(near(pdf(plastic, below, right), 0, 0));
         CHECK(near(pdf(plastic, right, below), 0, 0));
         CHECK_FALSE(sample(plastic, below, Vec3(0.25)).has_value());
-        CHECK(near(evaluate(satin, below, right), Vec3(0), 0));
-        CHECK(near(evaluate(satin, right, below), Vec3(0), 0));
+        CHECK(near_color(evaluate(satin, below, right), Vec3(0), 0));
+        CHECK(near_color(evaluate(satin, right, below), Vec3(0), 0));
         CHECK(near(pdf(satin, below, right), 0, 0));
         CHECK(near(pdf(satin, right, below), 0, 0));
         CHECK_FALSE(sample(satin, below, Vec3(0.25)).has_value());
@@ -211,7 +211,7 @@ TEST_CASE("a sample of Phong's is weighed by both ways together", "[12.17]") {
         const Real density = pdf(phong, l, v), bound = gamma(64) * (1 + s);
         CHECK(near(one->pdf, density, bound * density));
         const Vec3 expected = evaluate(phong, l, v) * l.z;
-        CHECK(near(one->weight * one->pdf, expected, 2 * bound * max_component(expected)));
+        CHECK(near_color(one->weight * one->pdf, expected, 2 * bound * max_component(expected)));
         const Real share = highlight_part(phong);
         for (int c = 0; c < 3; ++c) {
             const Real matte = phong.diffuse[c] > 0 ? phong.diffuse[c] / (1 - share) : 0;
@@ -244,7 +244,7 @@ TEST_CASE("a sample of satin is weighed by both ways together", "[12.17]") {
         const Real density = pdf(ggx, l, v), bound = 4 * part(ggx.roughness, l, v);
         CHECK(near(one->pdf, density, bound * density));
         const Real white = facets_by_tangent(ggx.roughness, l, v) + 1 / pi;
-        CHECK(near(one->weight * one->pdf, evaluate(ggx, l, v) * l.z, bound * white));
+        CHECK(near_color(one->weight * one->pdf, evaluate(ggx, l, v) * l.z, bound * white));
     }
     INFO("of " << cases(3000)
                << " samples that were asked for, how many there are; some lead below the surface");
@@ -303,7 +303,7 @@ TEST_CASE("GGX by tangents, as the successor course writes it", "[12.17]") {
         const Real white = facets_by_tangent(ggx.roughness, l, v),
                    missing = std::pow(1 - dot(l, normalize(l + v)), 5);
         const Vec3 expected = ggx.diffuse / pi + white * Vec3(1, 0.5 + 0.5 * missing, missing);
-        CHECK(near(evaluate(ggx, l, v), expected, 2 * part(ggx.roughness, l, v) * (white + 1)));
+        CHECK(near_color(evaluate(ggx, l, v), expected, 2 * part(ggx.roughness, l, v) * (white + 1)));
     }
 }
 
@@ -317,14 +317,14 @@ TEST_CASE("what Phong's surface returns of an even light", "[12.17]") {
     for (const Real exponent : {0.0, 1.0, 10.0, 5000.0}) {
         INFO("exponent " << exponent << ", the viewer above, the ground black");
         const ModifiedPhong shiny{Vec3(0), Vec3(0.6, 1, 0), exponent};
-        CHECK(near(furnace(shiny, up, test::around(up, exponent), 64), Vec3(0.6, 1, 0), 1e-3));
+        CHECK(near_color(furnace(shiny, up, test::around(up, exponent), 64), Vec3(0.6, 1, 0), 1e-3));
     }
     // For s = 1 the integral of two cosines that are θ apart is ⅔(sin θ + (π − θ)·cos θ).
     for (const Real angle : {30.0, 60.0, 89.0}) {
         INFO("exponent 1, the viewer " << angle << " degrees from the normal");
         const Real theta = radians(angle), expected = (std::sin(theta) + (pi - theta) * std::cos(theta)) / pi;
         const ModifiedPhong shiny{Vec3(0), Vec3(1), 1};
-        CHECK(near(furnace(shiny, towards(angle, 10), test::dome(), 128), Vec3(expected), 1e-3));
+        CHECK(near_color(furnace(shiny, towards(angle, 10), test::dome(), 128), Vec3(expected), 1e-3));
     }
 }
 

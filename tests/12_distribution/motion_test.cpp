@@ -39,13 +39,14 @@ void check_seen(const Ray& ray, const Vec3& motion, const Vec3& origin) {
 }
 
 /// Whether x is `expected` or one of the next numbers in the direction of `outwards`.
-bool is_just_beyond(Real x, Real expected, Real outwards) {
+test::Told is_just_beyond(Real x, Real expected, Real outwards) {
+    bool found = false;
     Real number = expected;
     for (int i = 0; i <= 4; ++i) {
-        if (x == number) return true;
+        found = found || x == number;
         number = std::nextafter(number, outwards);
     }
-    return false;
+    return test::or_say(found, test::show(x) + ", expected " + test::show(expected) + " or just beyond");
 }
 
 void check_bounds(const Bounds& box, const Vec3& motion, const Bounds& expected) {
@@ -53,7 +54,7 @@ void check_bounds(const Bounds& box, const Vec3& motion, const Bounds& expected)
     INFO("the " << box << ", motion " << motion << ": a " << all << ", expected the " << expected
                 << " or next to it, outwards");
     for (int axis = 0; axis < 3; ++axis) {
-        INFO("axis " << axis);
+        INFO("axis " << axis << ", the lower face and then the upper");
         CHECK(is_just_beyond(all.low[axis], expected.low[axis], -infinity));
         CHECK(is_just_beyond(all.high[axis], expected.high[axis], infinity));
     }

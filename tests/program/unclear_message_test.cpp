@@ -15,11 +15,13 @@ std::string message(const std::string& asked, const std::string& came_out) {
 
 TEST_CASE("a message says in words what was asked and what came out") {
     CHECK(unclear(message("a ray at a sphere: t of the hit", "4, expected 3\noff by 1")) == "");
-    CHECK(unclear(message("a ray at a sphere", "no, expected yes")) == "");
     CHECK(unclear(message("a ray", "{?}, expected {?}")) == "shows a value as {?}");
     CHECK(unclear(message("a ray from {0x1.8p+3}", "a miss")) == "shows hexadecimal digits");
     CHECK(unclear(message("t := 3", "a miss")) == "names a variable of the test, not what it is");
     CHECK(unclear(message("a ray at a sphere", "{ true }")) == "says true or false, not what that means");
+    CHECK(unclear(message("a ray at a sphere", "no, expected yes")) ==
+          "answers yes or no, not what is wrong");
+    CHECK(unclear(message("a ray at a sphere", "nothing, expected something")) == "");
 }
 
 TEST_CASE("a message says with words what was asked: numbers, and what was expected, are not enough") {
