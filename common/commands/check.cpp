@@ -79,12 +79,9 @@ ChapterResult narrowed(const Request& request, const Chapter& chapter, ChapterRe
     return result;
 }
 
-/// The first line of what is wrong, and how to see the others.
-std::string first_line_of(const StepResult& step) {
-    const auto end = step.message.find('\n');
-    if (end == std::string::npos) return details(step);
-    return details({step.id, step.state, step.message.substr(0, end)}) +
-           paint(fmt::format("        ./course check {} shows more\n", step.id), Tone::Dim);
+/// Of its message the first line alone.
+StepResult in_short(const StepResult& step) {
+    return {step.id, step.state, step.message.substr(0, step.message.find('\n'))};
 }
 
 void print_chapter(const Chapter& chapter, const ChapterResult& result) {
@@ -97,14 +94,20 @@ void print_chapter(const Chapter& chapter, const ChapterResult& result) {
     }
     const bool alone = result.steps.size() == 1;
     bool shown = false;
+    std::string not_shown;
     for (const StepResult& step : result.steps) {
         fmt::print("{}\n", step_line(step_of(chapter, step.id), step));
-        // What follows from another step is no trouble of its own, unless it is asked for.
-        if (step.state != State::Failed || (!step.because.empty() && !alone)) continue;
-        // One message is enough to work on; the others' first lines say that there are more.
-        fmt::print("{}", shown ? first_line_of(step) : details(step));
-        shown = true;
+        if (step.state != State::Failed) continue;
+        const bool follows = !step.because.empty() && !alone;
+        // One message is enough to work on; the others' first lines say that there are more. What follows
+        // from another step is no trouble of its own.
+        if (!follows) fmt::print("{}", shown ? details(in_short(step)) : details(step));
+        if ((shown || follows) && not_shown.empty()) not_shown = step.id;
+        shown = shown || !follows;
     }
+    if (!not_shown.empty())
+        fmt::print("{}\n",
+                   paint(fmt::format("  ./course check {} shows all about that step", not_shown), Tone::Dim));
 }
 
 /// The student's chapters that draw a picture: those that passed, without being checked again now; in a

@@ -65,7 +65,7 @@ std::string unclear(const std::string& message) {
     if (has(asked + came_out, R"(\b0x[0-9a-f])")) return "shows hexadecimal digits";
     if (has(asked, R"( := )")) return "names a variable of the test, not what it is";
     if (has(came_out, R"(\b(true|false)\b)")) return "says true or false, not what that means";
-    if (has(came_out, R"(^came out: (yes|no)\b)")) return "answers yes or no, not what is wrong";
+    if (has(came_out, R"(^came out: (yes|no), )")) return "answers yes or no, not what is wrong";
     if (look_alike(came_out)) return "shows two different values alike";
     if (!has_words(asked)) return "does not say what was asked";
     return "";
