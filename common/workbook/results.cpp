@@ -129,7 +129,7 @@ KnownResult known_result(const Project& project, const Chapter& chapter) {
             const json& stored = entry.at("steps").at(step.id);
             step.state = state_named(stored.at("state").get<std::string>());
             step.message = stored.at("message").get<std::string>();
-            step.because = stored.at("because").get<std::string>();
+            step.because = stored.value("because", "");
         }
         known.result = result;
         known.current = entry.at("sources") == sources_fingerprint(project, chapter);
