@@ -3,6 +3,7 @@
 // (see below), --watched (what is printed is marked with the test that was running, and a report says where a
 // crash was), and those of the program alone (tests/own_options.hpp), which may have other uses, too.
 #define COURSE_TEST_MAIN
+#include "common/math/counted.hpp"
 #include "common/math/printable.hpp"
 #include "common/math/todo.hpp"
 #include "tests/back_trace.hpp"
@@ -55,23 +56,30 @@ std::string relative_to_root(std::string file) {
     return file.starts_with(root) ? file.substr(root.size()) : file;
 }
 
-/// What a failed assertion says: what was asked, as INFO has it, what came out and what was expected, and at
-/// last where in the tests that stands.
-std::string describe(const Catch::AssertionStats& stats) {
+/// What a failed assertion says: what was asked, as INFO has it, what came out and what was expected.
+std::string told_by(const Catch::AssertionStats& stats) {
     const Catch::AssertionResult& result = stats.assertionResult;
-    const Catch::SourceLineInfo place = result.getSourceInfo();
     std::ostringstream text;
     for (const Catch::MessageInfo& info : stats.infoMessages)
         if (info.type == Catch::ResultWas::Info) text << info.message << '\n';
+    text << "came out: ";
     if (result.getResultType() == Catch::ResultWas::ThrewException)
-        text << "an exception came out: " << result.getMessage();
+        text << "the exception " << result.getMessage();
     else if (result.getResultType() == Catch::ResultWas::DidntThrowException)
-        text << "no exception came out";
+        text << "no exception";
     else if (result.hasExpandedExpression())
-        text << "came out: " << in_words(result.getExpandedExpression());
-    else if (result.hasMessage())
+        text << in_words(result.getExpandedExpression(), result.getExpression());
+    else
         text << result.getMessage();
-    text << "\n" << relative_to_root(place.file) << ':' << place.line;
+    return text.str();
+}
+
+/// Where in the tests it stands, and how.
+std::string place_of(const Catch::AssertionStats& stats) {
+    const Catch::AssertionResult& result = stats.assertionResult;
+    const Catch::SourceLineInfo place = result.getSourceInfo();
+    std::ostringstream text;
+    text << relative_to_root(place.file) << ':' << place.line;
     // A condition that says itself what is wrong has said it.
     if (result.hasExpression() && result.getExpression().find("or_say(") == std::string::npos)
         text << ": " << result.getExpression();
@@ -93,14 +101,16 @@ struct Report : Listener {
     using Listener::Listener;
 
     std::ofstream out;
-    std::string first_failure;
+    std::string failure, place;  // the first of the test case
+    int alike = 0;               // further ones at the same place
 
     void testRunStarting(const Catch::TestRunInfo&) override {
         if (!report_file.empty()) out.open(report_file, std::ios::trunc);
     }
 
     void testCaseStarting(const Catch::TestCaseInfo& info) override {
-        first_failure.clear();
+        failure.clear();
+        alike = 0;
         missing_step.clear();
         stopped.clear();
         mark_output(info.name);
@@ -108,8 +118,20 @@ struct Report : Listener {
     }
 
     AssertionEnded assertionEnded(const Catch::AssertionStats& stats) override {
-        if (!stats.assertionResult.isOk() && first_failure.empty()) first_failure = describe(stats);
+        if (stats.assertionResult.isOk()) return AssertionEnded();
+        if (failure.empty()) {
+            failure = told_by(stats);
+            place = place_of(stats);
+        } else if (place_of(stats) == place) {
+            ++alike;
+        }
         return AssertionEnded();
+    }
+
+    /// The first failure, and how many cases are like it.
+    std::string message() const {
+        if (alike == 0) return failure + "\n" + place;
+        return failure + "\nit fails in " + counted(alike, "more case") + " of this test\n" + place;
     }
 
     void testCaseEnded(const Catch::TestCaseStats& stats) override {
@@ -121,8 +143,8 @@ struct Report : Listener {
             << json(todo ? "todo"
                     : ok ? "passed"
                          : "failed")
-            << ",\"message\":" << json(todo || ok ? "" : first_failure)
-            << ",\"missing\":" << json(missing_step) << ",\"stopped\":" << json(stopped) << "}" << std::endl;
+            << ",\"message\":" << json(todo || ok ? "" : message()) << ",\"missing\":" << json(missing_step)
+            << ",\"stopped\":" << json(stopped) << "}" << std::endl;
     }
 
     void testRunEnded(const Catch::TestRunStats&) override {

@@ -69,6 +69,11 @@ ChapterResult narrowed(const Request& request, const Chapter& chapter, ChapterRe
     return result;
 }
 
+/// Of its message the first line alone.
+StepResult in_short(const StepResult& step) {
+    return {step.id, step.state, step.message.substr(0, step.message.find('\n'))};
+}
+
 void print_chapter(const Chapter& chapter, const ChapterResult& result) {
     fmt::print("{}  {} of {}\n",
                paint(fmt::format("Chapter {}: {}", chapter.number, chapter.title), Tone::Bold),
@@ -78,16 +83,22 @@ void print_chapter(const Chapter& chapter, const ChapterResult& result) {
                    notes(result));
         return;
     }
+    const bool alone = result.steps.size() == 1;
     bool shown = false;
+    std::string not_shown;
     for (const StepResult& step : result.steps) {
         fmt::print("{}\n", step_line(step_of(chapter, step.id), step));
         if (step.state != State::Failed) continue;
-        // One message is enough to work on; the others' first lines say that there are more.
-        fmt::print("{}", shown
-                             ? details({step.id, step.state, step.message.substr(0, step.message.find('\n'))})
-                             : details(step));
-        shown = true;
+        const bool follows = !step.because.empty() && !alone;
+        // One message is enough to work on; the others' first lines say that there are more. What follows
+        // from another step is no trouble of its own.
+        if (!follows) fmt::print("{}", shown ? details(in_short(step)) : details(step));
+        if ((shown || follows) && not_shown.empty()) not_shown = step.id;
+        shown = shown || !follows;
     }
+    if (!not_shown.empty())
+        fmt::print("{}\n",
+                   paint(fmt::format("  ./course check {} shows all about that step", not_shown), Tone::Dim));
     fmt::print("{}", notes(result));
 }
 

@@ -39,8 +39,16 @@ bool has_exercise(const fs::path& root, const Chapter& chapter, const std::strin
     return false;
 }
 
+/// Whether the step comes before those that are still to be read. Which steps an earlier chapter has is not
+/// asked: it may not have been handed out.
+bool is_earlier(const std::string& step, const Chapter& chapter) {
+    if (is_step_id(step) && step.substr(0, 2) < chapter.number) return true;
+    return std::any_of(chapter.steps.begin(), chapter.steps.end(),
+                       [&](const Step& before) { return before.id == step; });
+}
+
 Step read_step(const JsonValue& entry, const Chapter& chapter, const fs::path& root) {
-    entry.only({"id", "title", "file", "points", "picture", "hints"});
+    entry.only({"id", "title", "file", "points", "picture", "hints", "uses"});
     Step step;
     const JsonValue id = entry.at("id");
     step.id = id.text();
@@ -60,6 +68,12 @@ Step read_step(const JsonValue& entry, const Chapter& chapter, const fs::path& r
     step.hints = texts(entry.at("hints"));
     if (step.hints.size() < 3)
         entry.at("hints").fail(fmt::format("expected at least 3, not {}", step.hints.size()));
+    if (entry.has("uses"))
+        for (const JsonValue& used : entry.at("uses").items()) {
+            step.uses.push_back(used.text());
+            if (!is_earlier(step.uses.back(), chapter))
+                used.fail(fmt::format("'{}' is not an earlier step", step.uses.back()));
+        }
     return step;
 }
 

@@ -17,6 +17,8 @@ struct Step {
     std::string picture;  ///< that shows it best: one of the chapter's scenes or a drawing (common/pictures);
                           ///< or empty
     std::vector<std::string> hints;  ///< at least three, from a nudge to nearly the answer
+    std::vector<std::string>
+        uses{};  ///< earlier steps: while one of them is wrong, this one may fail for that
 };
 
 struct Chapter {
@@ -34,8 +36,8 @@ bool is_chapter_name(std::string_view name);
 
 /// All chapters that have exercises, by number. Throws InputError, which names file, line, column and key,
 /// for a missing key, one that is not known or of the wrong type, a step's number that is twice there or not
-/// of this chapter, fewer than three hints, points and hours that are not positive, and files that do not
-/// exist.
+/// of this chapter, a later step that is used, fewer than three hints, points and hours that are not
+/// positive, and files that do not exist.
 std::vector<Chapter> read_catalogue(const Project& project);
 
 /// The chapter with this number; throws InputError, which lists the numbers, if there is none. `number` may

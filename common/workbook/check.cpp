@@ -6,6 +6,7 @@
 #include "common/terminal/console.hpp"
 #include "common/terminal/lock.hpp"
 #include "common/workbook/back_trace.hpp"
+#include "common/workbook/causes.hpp"
 #include "common/workbook/exercise.hpp"
 #include "common/workbook/missing_function.hpp"
 #include "common/workbook/solutions.hpp"
@@ -220,6 +221,7 @@ std::vector<ChapterResult> check_chapters(const Project& project, const std::vec
     const BuildResult together =
         targets.empty() ? BuildResult{} : build_targets(project, targets, label, targets.size() > 1);
 
+    const std::vector<Chapter> catalogue = read_catalogue(project);
     std::vector<ChapterResult> results;
     for (std::size_t i = 0; i < chapters.size(); ++i) {
         const Chapter& chapter = *chapters[i];
@@ -232,6 +234,9 @@ std::vector<ChapterResult> check_chapters(const Project& project, const std::vec
         results.push_back(build.ok ? judge_program(project, chapter, target)
                                    : not_built(chapter, build.message));
         if (!solutions) results.back().warnings = known_warnings(project, chapter);
+        find_causes(catalogue,
+                    solutions ? std::set<std::string>() : failed_before(project, catalogue, chapter),
+                    results.back());
         if (!solutions) remember(project, chapter, results.back(), sources[i]);
     }
     return results;

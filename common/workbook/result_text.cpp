@@ -39,6 +39,7 @@ std::string step_line(const Step& step, const StepResult& result) {
     std::string line = fmt::format("  {} {}  {:<44} {:>3} points", mark, step.id, step.title, step.points);
     if (result.state == State::Todo && !result.message.empty())
         line += paint("   " + result.message, Tone::Dim);
+    if (!result.because.empty()) line += paint("   perhaps because of " + result.because, Tone::Dim);
     return line;
 }
 
@@ -68,9 +69,14 @@ std::string next_action(const Chapter& chapter, const ChapterResult& result) {
         return result.build_error.substr(reset, result.build_error.find(' ', reset + command.size()) - reset);
     if (!result.build_error.empty()) return "mend the compile error, then " + check;
     for (const StepResult& step : result.steps)
-        if (step.state == State::Failed)
+        if (step.state == State::Failed && step.because.empty())
             return fmt::format("mend step {} in {}, then {}   (stuck? ./course hint {})", step.id,
                                file_of(chapter, step.id), check, step.id);
+    // What is left of failures may follow from an earlier chapter's.
+    for (const StepResult& step : result.steps)
+        if (step.state == State::Failed)
+            return fmt::format("./course check {} shows what is wrong with step {}, which step {} uses",
+                               step.because, step.because, step.id);
     for (std::size_t i = 0; i < result.steps.size(); ++i) {
         const StepResult& step = result.steps[i];
         // What only waits for another step may be finished already.

@@ -131,6 +131,7 @@ KnownResult known_result(const Project& project, const Chapter& chapter) {
             const json& stored = entry.at("steps").at(step.id);
             step.state = state_named(stored.at("state").get<std::string>());
             step.message = stored.at("message").get<std::string>();
+            step.because = stored.value("because", "");
         }
         known.result = result;
         known.current = entry.at("sources") == sources_fingerprint(project, chapter);
@@ -157,7 +158,8 @@ void remember(const Project& project, const Chapter& chapter, const ChapterResul
               const std::string& sources) {
     json steps = json::object();
     for (const StepResult& step : result.steps)
-        steps[step.id] = {{"state", name_of(step.state)}, {"message", step.message}};
+        steps[step.id] = {
+            {"state", name_of(step.state)}, {"message", step.message}, {"because", step.because}};
     const Lock lock(memory_lock(project), "remembering results");
     json memory = read_memory(project);
     memory[chapter.name] = {{"sources", sources}, {"build_error", result.build_error}, {"steps", steps}};

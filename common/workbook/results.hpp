@@ -20,6 +20,8 @@ struct StepResult {
     std::string id;
     State state = State::Todo;
     std::string message;  ///< the first line says it all; more may follow
+    std::string
+        because{};  ///< a failed step that it uses, and from which its own failure may follow; or empty
 };
 
 struct ChapterResult {

@@ -516,6 +516,14 @@ TEST_CASE("rays are counted by their kinds", "[07.6]") {
     check(ball, {0, 0, 5}, 1, 2);
 }
 
+TEST_CASE("a lamp inside of a ball lights its inner side", "[07.6]") {
+    // The ray meets the wall at (0, 0, -2), where the normal of the ball looks outwards, away from the lamp.
+    const World world = world_of("point 0 0 0 .75 .5 .25\ndiffuse 1 1 1\nsphere 0 0 0 2\n");
+    INFO(
+        "a white ball of radius 2 around a lamp of colour (0.75, 0.5, 0.25), seen from inside: the radiance");
+    CHECK(near_color(radiance(world, {{0, 0, 1}, {0, 0, -1}}), {0.75, 0.5, 0.25}, 32 * u));
+}
+
 TEST_CASE("glass absorbs along the way through it", "[07.6]") {
     // Straight through the middle: a way of 2 in the ball.
     const World world =

@@ -166,7 +166,7 @@ TEST_CASE("the lesson's sky lights a surface that faces it with 17/16 of what it
     const Vec3 d{0.5, std::sqrt(Real(0.5)), 0.5}, sideways{std::sqrt(Real(0.5)), 0, -std::sqrt(Real(0.5))};
     const auto check = [&](const Vec3& normal, Real expected) {
         INFO("light π around (0.5, 0.7071, 0.5), normal " << normal);
-        CHECK(test::near(irradiance(light, normal), Vec3(expected), 100 * u));
+        CHECK(test::near_color(irradiance(light, normal), Vec3(expected), 100 * u));
     };
     check(d, 17 * pi / 16);
     check(sideways, 3 * pi / 32);
@@ -179,7 +179,7 @@ TEST_CASE("no irradiance is negative", "[11.9]") {
     const Vec3 d{0.5, std::sqrt(Real(0.5)), 0.5}, sideways{std::sqrt(Real(0.5)), 0, -std::sqrt(Real(0.5))};
     const Vec3 normal = -Real(8) / 15 * d + std::sqrt(Real(161)) / 15 * sideways;
     INFO("light around (0.5, 0.7071, 0.5), normal " << normal << ", at 122 degrees from it");
-    CHECK(test::near(irradiance(light, normal), Vec3(0), 0));
+    CHECK(test::near_color(irradiance(light, normal), Vec3(0), 0));
 }
 
 TEST_CASE("rows of pixels: the first one is at the top", "[11.9]") {
@@ -209,7 +209,7 @@ TEST_CASE("a sky of radiance 1 gives pi, and makes a white surface 1", "[11.9]")
     light.coefficients[0] = Vec3(1, 0.5, 0) * std::sqrt(4 * pi);
     for (const Vec3& normal : {Vec3(0, 1, 0), Vec3(0.6, 0, 0.8), Vec3(0, 0, -1)}) {
         INFO("radiance (1, 0.5, 0) from everywhere, normal " << normal);
-        CHECK(test::near(irradiance(light, normal), pi * Vec3(1, 0.5, 0), 64 * u));
+        CHECK(test::near_color(irradiance(light, normal), pi * Vec3(1, 0.5, 0), 64 * u));
         CHECK(test::near(sky_diffuse(light, normal, Vec3(1, 1, 1)), Vec3(1, 0.5, 0), 64 * u));
         CHECK(test::near(sky_diffuse(light, normal, Vec3(0.5, 0.5, 1)), Vec3(0.5, 0.25, 0), 64 * u));
     }
@@ -222,7 +222,7 @@ TEST_CASE("bright above the horizon and black below it", "[11.9]") {
     light.coefficients[1] = Vec3(std::sqrt(3 * pi) / 2);
     for (const Vec3& normal : {Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(0, -0.6, 0.8), Vec3(0, 0.6, -0.8)}) {
         INFO("radiance 1 from above, normal " << normal);
-        CHECK(test::near(irradiance(light, normal), Vec3(pi * (1 + normal.y) / 2), 200 * u));
+        CHECK(test::near_color(irradiance(light, normal), Vec3(pi * (1 + normal.y) / 2), 200 * u));
     }
     const Image picture = picture_of(8, 16384, [](const Vec3& d) { return d.y > 0 ? 1 : 0; });
     check_coefficients(projected(picture), light.coefficients, 1e-6);
@@ -231,13 +231,17 @@ TEST_CASE("bright above the horizon and black below it", "[11.9]") {
 TEST_CASE("each band by itself: x, and xy", "[11.9]") {
     // L = 1 + x gives π + 2π/3 n.x, and L = 1 + xy gives π + π/4 n.x n.y.
     const Polynomial2 x{1, {1, 0, 0}, Mat3(0)};
+    const auto check_light = [](const char* sky, const SkyLight& light, const Vec3& normal, Real expected) {
+        INFO("the light of a sky that shines " << sky << " on a surface with the normal " << normal);
+        CHECK(test::near_color(irradiance(light, normal), Vec3(expected), 200 * u));
+    };
     const SkyLight of_x{coefficients_of(x)};
-    CHECK(test::near(irradiance(of_x, {1, 0, 0}), Vec3(5 * pi / 3), 200 * u));
-    CHECK(test::near(irradiance(of_x, {-0.6, 0.8, 0}), Vec3(0.6 * pi), 200 * u));
+    check_light("1 + x", of_x, {1, 0, 0}, 5 * pi / 3);
+    check_light("1 + x", of_x, {-0.6, 0.8, 0}, 0.6 * pi);
     const Polynomial2 xy{1, {0, 0, 0}, Mat3(0, 0.5, 0, 0.5, 0, 0, 0, 0, 0)};
     const SkyLight of_xy{coefficients_of(xy)};
-    CHECK(test::near(irradiance(of_xy, {0.6, 0.8, 0}), Vec3(1.12 * pi), 200 * u));
-    CHECK(test::near(irradiance(of_xy, {0.6, 0, -0.8}), Vec3(pi), 200 * u));
+    check_light("1 + xy", of_xy, {0.6, 0.8, 0}, 1.12 * pi);
+    check_light("1 + xy", of_xy, {0.6, 0, -0.8}, pi);
 }
 
 TEST_CASE("skies of degree 2 are exact", "[11.9]") {
@@ -249,8 +253,8 @@ TEST_CASE("skies of degree 2 are exact", "[11.9]") {
         INFO("L(d) = " << sky.constant << " + " << sky.linear << "·d + d·Qd with Q = " << sky.quadratic
                        << "\nnormal " << n);
         // 32u of the terms, whose sizes sum up to less than 15, and as much for what is expected.
-        CHECK(test::near(irradiance(SkyLight{coefficients_of(sky)}, n), Vec3(expected > 0 ? expected : 0),
-                         1000 * u));
+        CHECK(test::near_color(irradiance(SkyLight{coefficients_of(sky)}, n),
+                               Vec3(expected > 0 ? expected : 0), 1000 * u));
     }
 }
 
@@ -285,7 +289,8 @@ TEST_CASE("any sky without negative light is right within 3/32 of all its light"
             exact += light * std::max(dot(d, n), Real(0));
         }
         INFO("bright pixels with a light of " << all << " in all, normal " << n);
-        CHECK(test::near(irradiance(projected(picture), n), Vec3(exact), (Real(3) / 32 + 500 * u) * all));
+        CHECK(
+            test::near_color(irradiance(projected(picture), n), Vec3(exact), (Real(3) / 32 + 500 * u) * all));
     }
 }
 
@@ -309,16 +314,21 @@ TEST_CASE("a smooth sky of degree 4, against a sum over the hemisphere", "[11.9]
         const Real b2 = dot(b, b), all = 4 * pi * (1 + 2 * b2 + b2 * b2 / 5);
         const Real bound = Real(8) / 35 * b2 * b2 * pi / 24 + 1e-3 * all;
         INFO("L(d) = (1 + b·d)⁴ with b = " << b << ", normal " << n);
-        CHECK(test::near(irradiance(projected(picture_of(16, 1024, light)), n), Vec3(sum), bound));
+        CHECK(test::near_color(irradiance(projected(picture_of(16, 1024, light)), n), Vec3(sum), bound));
     }
 }
 
 TEST_CASE("the light of skies as scenes have them", "[11.9]") {
-    const SkyLight grey = sky_light(ConstantSky{{0.5, 1, 2}});
-    CHECK(test::near(grey.coefficients[0], Vec3(0.5, 1, 2) * std::sqrt(4 * pi), 1e-10));
-    // A gradient's mean is half of the horizon's colour and a quarter of each of the others.
+    {
+        INFO("the first coefficient of a sky that is (0.5, 1, 2) everywhere: that times the root of 4 pi");
+        const SkyLight grey = sky_light(ConstantSky{{0.5, 1, 2}});
+        CHECK(test::near_color(grey.coefficients[0], Vec3(0.5, 1, 2) * std::sqrt(4 * pi), 1e-10));
+    }
+    INFO(
+        "the first coefficient of a gradient: half of the horizon's colour, a quarter of each of the others");
     const SkyLight gradient = sky_light(GradientSky{{0, 0, 4}, {1, 1, 1}, {0, 2, 0}});
-    CHECK(test::near(gradient.coefficients[0], Vec3(0.5, 1, 1.5) * std::sqrt(4 * pi), 1e-5));
+    CHECK(test::near_color(gradient.coefficients[0], Vec3(0.5, 1, 1.5) * std::sqrt(4 * pi), 1e-5));
+    INFO("then a sky that is a picture");
     const Image picture = one_pixel(4, 2, 0, 0, Vec3(2));
     const SkyLight shown = sky_light(ImageSky{std::make_shared<const Image>(picture)});
     check_coefficients(shown, projected(picture).coefficients, 1e-13);

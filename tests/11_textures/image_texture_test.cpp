@@ -133,7 +133,11 @@ TEST_CASE("at an edge the other side shines through, if the image repeats", "[11
 
 TEST_CASE("columns and rows are not mixed up", "[11.2]") {
     const Image wide = grey({{1, 2, 3, 4}, {5, 6, 7, 8}});
-    CHECK(near(texel(wide, 3, 0, Wrap::Clamp), Vec3(8), 0));
+    INFO("an image of 4 x 2 texels, above 1 2 3 4 and below 5 6 7 8");
+    {
+        INFO("the texel in column 3 of row 0, which is the lowest");
+        CHECK(near(texel(wide, 3, 0, Wrap::Clamp), Vec3(8), 0));
+    }
     check_nearest(wide, {0.9, 0.1}, Wrap::Repeat, 8);
     check_nearest(wide, {0.1, 0.9}, Wrap::Repeat, 1);
     check_bilinear(wide, {0.875, 0.25}, Wrap::Repeat, 8);

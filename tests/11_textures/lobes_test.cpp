@@ -19,13 +19,13 @@ void check_as(const Kind& kind, std::uint64_t seed) {
         const Vec3 l = random.direction(), v = random.direction();
         const Vec3 numbers(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
         INFO("to the light " << l << ", to the viewer " << v << ", random numbers " << numbers);
-        CHECK(near(evaluate(lobe, l, v), evaluate(kind, l, v), 0));
+        CHECK(test::near_color(evaluate(lobe, l, v), evaluate(kind, l, v), 0));
         CHECK(near(pdf(lobe, l, v), pdf(kind, l, v), 0));
         const auto one = sample(lobe, v, numbers), other = sample(kind, v, numbers);
         REQUIRE(one.has_value() == other.has_value());
         if (!one) continue;
         CHECK(near(one->to_light, other->to_light, 0));
-        CHECK(near(one->weight, other->weight, 0));
+        CHECK(test::near_color(one->weight, other->weight, 0));
         CHECK((one->pdf == other->pdf));
     }
 }

@@ -107,24 +107,35 @@ TEST_CASE("Oren and Nayar's model of 1994 is their formula in angles", "[11.13]"
 }
 
 TEST_CASE("a point of the disc is lifted onto the hemisphere", "[11.13]") {
-    CHECK(near(cosine_direction(0, 0.3), up, gamma(4)));
-    CHECK(near(cosine_direction(0.75, 0), right, gamma(8)));
-    CHECK(near(cosine_direction(0.75, 0.5), left, gamma(8)));
-    CHECK(near(cosine_direction(0.25, 0.25), {0, 0.5, std::sqrt(3.0) / 2}, gamma(8)));
+    const auto check_direction = [](Real a, Real b, const Vec3& expected, Real bound) {
+        INFO("the direction from the random numbers a = " << a << ", b = " << b);
+        CHECK(test::near_direction(cosine_direction(a, b), expected, bound));
+    };
+    check_direction(0, 0.3, up, gamma(4));
+    check_direction(0.75, 0, right, gamma(8));
+    check_direction(0.75, 0.5, left, gamma(8));
+    check_direction(0.25, 0.25, {0, 0.5, std::sqrt(3.0) / 2}, gamma(8));
 }
 
 TEST_CASE("the density of directions from a matte surface is cos over pi", "[11.13]") {
+    INFO("pdf of a direction to the light, seen from 60 degrees: straight up 1/pi");
     CHECK(near(pdf(Matte{}, up, right), 1 / pi, gamma(4)));
+    INFO("and 60 degrees from the normal, seen from above, half of that");
     CHECK(near(pdf(Matte{}, right, up), 0.5 / pi, gamma(4)));
 }
 
 TEST_CASE("the weight of a sample is f cos/pdf", "[11.13]") {
     // Lambert's: the weight is the colour, wherever the sample goes.
     const auto drawn = sample(Matte{{0.2, 0.4, 0.6}, 0}, right, {0.75, 0.5, 0});
-    REQUIRE(drawn.has_value());
-    CHECK(near(drawn->to_light, left, gamma(8)));
-    CHECK(near(drawn->weight, {0.2, 0.4, 0.6}, gamma(12)));
-    CHECK(near(drawn->pdf, 0.5 / pi, gamma(12)));
+    {
+        INFO("matte of colour (0.2, 0.4, 0.6) and roughness 0, random numbers (0.75, 0.5): to the light");
+        REQUIRE(drawn.has_value());
+        CHECK(test::near_direction(drawn->to_light, left, gamma(8)));
+        INFO("which is 60 degrees from the normal; the weight is the colour");
+        CHECK(test::near_color(drawn->weight, {0.2, 0.4, 0.6}, gamma(12)));
+        INFO("and the pdf cos/pi");
+        CHECK(near(drawn->pdf, 0.5 / pi, gamma(12)));
+    }
     Random random(11131);
     for (int i = 0; i < cases(2000); ++i) {
         const Matte matte{Vec3(random.uniform(0, 1), 1, 0.5), random.uniform(0, 1)};
@@ -135,7 +146,7 @@ TEST_CASE("the weight of a sample is f cos/pdf", "[11.13]") {
         REQUIRE(one.has_value());
         const Vec3 expected = evaluate(matte, one->to_light, v) * one->to_light.z;
         CHECK(near(one->pdf, pdf(matte, one->to_light, v), gamma(16)));
-        CHECK(near(one->weight * one->pdf, expected, gamma(20)));
+        CHECK(test::near_color(one->weight * one->pdf, expected, gamma(20)));
         CHECK(near(length(one->to_light), 1, gamma(8)));
     }
 }
@@ -147,7 +158,7 @@ TEST_CASE("a matte lobe is the same with light and viewer exchanged", "[11.13]")
         const Vec3 l = upper(random), v = upper(random);
         INFO("roughness " << matte.roughness << ", one direction " << l << ", the other " << v);
         const Real bound = gamma(24) * (1 + 1 / std::max(l.z, v.z));
-        CHECK(near(evaluate(matte, l, v), evaluate(matte, v, l), bound));
+        CHECK(test::near_color(evaluate(matte, l, v), evaluate(matte, v, l), bound));
         CHECK(near(oren_nayar_1994(0.4, l, v), oren_nayar_1994(0.4, v, l), bound));
     }
 }
@@ -155,8 +166,12 @@ TEST_CASE("a matte lobe is the same with light and viewer exchanged", "[11.13]")
 TEST_CASE("a matte surface returns no more light than it gets", "[11.13]") {
     // From straight above σ = 1 returns π·6/(9π − 4), from the horizon all. The midpoint rule has 64² cells,
     // and errs by 9e-5 at most, for σ = 1 at the horizon.
-    CHECK(near(furnace({Vec3(1), 1}, up, 64), Vec3(6 * pi / (9 * pi - 4)), 1e-12));
-    CHECK(near(furnace({Vec3(1), 1}, at_cosine(1e-8), 64), Vec3(1), 2e-4));
+    {
+        INFO("what a white surface of roughness 1 returns of an even light, seen from straight above");
+        CHECK(test::near_color(furnace({Vec3(1), 1}, up, 64), Vec3(6 * pi / (9 * pi - 4)), 1e-12));
+        INFO("and seen from the horizon");
+        CHECK(test::near_color(furnace({Vec3(1), 1}, at_cosine(1e-8), 64), Vec3(1), 2e-4));
+    }
     for (const Real roughness : {0.0, 0.3, 1.0})
         for (const Real angle : {0.0, 30.0, 60.0, 80.0, 89.0}) {
             INFO("roughness " << roughness << ", viewer " << angle << " degrees from the normal");

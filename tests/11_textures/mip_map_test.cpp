@@ -54,12 +54,17 @@ void check_color(const MipMap& map, const Vec2& uv, Real width, Wrap wrap, const
                  Real greatest) {
     const Image& first = map.levels.front();
     INFO(first.width << " x " << first.height << " texels, uv = " << uv << ", width " << width);
-    CHECK(
-        near(trilinear(map, uv, width, wrap), expected, gamma(16 * (first.width + first.height)) * greatest));
+    CHECK(test::near_color(trilinear(map, uv, width, wrap), expected,
+                           gamma(16 * (first.width + first.height)) * greatest));
 }
 
 /// 1 3 5 11, then 2 8, then 5
 const Image row = grey({{1, 3, 5, 11}});
+
+void require_levels(const MipMap& map, std::size_t count) {
+    INFO("the sizes of the levels are " << sizes_of(map) << "; how many there are");
+    REQUIRE(map.levels.size() == count);
+}
 
 }  // namespace
 
@@ -76,7 +81,7 @@ TEST_CASE("an even row is halved in pairs, an odd one in parts", "[11.3]") {
 TEST_CASE("1 3 5 11, by hand", "[11.3]") {
     const MipMap map = mip_map(row);
     INFO("sizes of the levels: " << sizes_of(map));
-    REQUIRE(map.levels.size() == 3);
+    require_levels(map, 3);
     REQUIRE(map.levels[1].pixels.size() == 2);
     REQUIRE(map.levels[2].pixels.size() == 1);
     CHECK(near(map.levels[1].pixels[0], Vec3(2), gamma(8) * 11));
@@ -86,7 +91,7 @@ TEST_CASE("1 3 5 11, by hand", "[11.3]") {
 
 TEST_CASE("at u = 0.25 it is 2 for half of the image, 5 for all of it", "[11.3]") {
     const MipMap map = mip_map(row);
-    REQUIRE(map.levels.size() == 3);
+    require_levels(map, 3);
     check_color(map, {0.25, 0.5}, 0.25, Wrap::Clamp, Vec3(2), 11);
     check_color(map, {0.25, 0.5}, 0.5, Wrap::Clamp, Vec3(2), 11);
     check_color(map, {0.25, 0.5}, 1, Wrap::Clamp, Vec3(5), 11);
@@ -107,6 +112,7 @@ TEST_CASE("down to a single texel, also of an image that is not square", "[11.3]
                   {1, 1, "1 x 1"}};
     for (const auto& [width, height, sizes] : images) {
         const MipMap map = mip_map(make_image(width, height));
+        INFO("the sizes of the levels of an image of " << width << " x " << height << " texels");
         CHECK(sizes_of(map) == sizes);
     }
 }
@@ -115,15 +121,16 @@ TEST_CASE("the first level is the image itself", "[11.3]") {
     Random random(11301);
     const Image image = random_image(5, 3, random);
     const MipMap map = mip_map(image);
-    REQUIRE(!map.levels.empty());
+    INFO("an image of 5 x 3 texels; the sizes of the levels are " << sizes_of(map));
+    REQUIRE(test::or_say(!map.levels.empty(), "there are no levels"));
     CHECK(map.levels.front().width == 5);
     CHECK(map.levels.front().height == 3);
-    CHECK(map.levels.front().pixels == image.pixels);
+    CHECK(test::or_say(map.levels.front().pixels == image.pixels, "its texels are not those of the image"));
 }
 
 TEST_CASE("a width of one texel or less is bilinear, one of all or more is the mean", "[11.3]") {
     const MipMap map = mip_map(row);
-    REQUIRE(map.levels.size() == 3);
+    require_levels(map, 3);
     for (const Real width : {0.0, 1e-300, 0.125, 0.25})
         for (const Real u : {0.25, 0.375, 0.5}) {
             INFO("bilinear, of 1, 3, 5, 11");
@@ -135,14 +142,14 @@ TEST_CASE("a width of one texel or less is bilinear, one of all or more is the m
 
 TEST_CASE("the greater side counts, whichever it is", "[11.3]") {
     const MipMap column = mip_map(grey({{11}, {5}, {3}, {1}}));
-    REQUIRE(column.levels.size() == 3);
+    require_levels(column, 3);
     check_color(column, {0.5, 0.125}, 0.5, Wrap::Clamp, Vec3(2), 11);
     check_color(column, {0.5, 0.125}, 0.25, Wrap::Clamp, Vec3(1), 11);
 }
 
 TEST_CASE("beyond the edges it goes on as the image does", "[11.3]") {
     const MipMap map = mip_map(row);
-    REQUIRE(map.levels.size() == 3);
+    require_levels(map, 3);
     check_color(map, {-0.25, 0.5}, 0.5, Wrap::Repeat, Vec3(8), 11);
     check_color(map, {-0.25, 0.5}, 0.5, Wrap::Mirror, Vec3(2), 11);
     check_color(map, {1.25, 0.5}, 0.5, Wrap::Clamp, Vec3(8), 11);
@@ -230,6 +237,7 @@ TEST_CASE("where the colour grows evenly it is right, or nearly", "[11.3]") {
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) pixel(image, x, y) = color((x + 0.5) / side, 1 - (y + 0.5) / side);
         const MipMap map = mip_map(image);
+        INFO("an image of " << side << " x " << side << " texels: how many levels there are");
         REQUIRE(map.levels.size() >= 3);
         const Real level = random.uniform(0, static_cast<Real>(map.levels.size()) - 2);
         const Real coarse = 1.0 / map.levels[static_cast<std::size_t>(std::ceil(level))].width;
@@ -237,7 +245,7 @@ TEST_CASE("where the colour grows evenly it is right, or nearly", "[11.3]") {
         INFO(side << " x " << side << " texels with the colour " << by_u << " u + " << by_v
                   << " v, uv = " << uv << ", level " << level);
         const Real off = is_power ? 0 : (std::abs(by_u) + std::abs(by_v)) * coarse / 16;
-        CHECK(near(trilinear(map, uv, std::exp2(level) / side, Wrap::Clamp), color(uv.x, uv.y),
-                   off + gamma(16 * 2 * side) * 2));
+        CHECK(test::near_color(trilinear(map, uv, std::exp2(level) / side, Wrap::Clamp), color(uv.x, uv.y),
+                               off + gamma(16 * 2 * side) * 2));
     }
 }

@@ -97,11 +97,14 @@ const std::vector<Known> known{
 }  // namespace
 
 TEST_CASE("fade is 0, 1/2 and 1 at 0, 1/2 and 1", "[11.4]") {
-    CHECK(test::near(fade(0), 0, 0));
-    CHECK(test::near(fade(0.5), 0.5, fade_bound));
-    CHECK(test::near(fade(1), 1, fade_bound));
-    // 10/64 - 15/256 + 6/1024
-    CHECK(test::near(fade(0.25), 0.103515625, fade_bound));
+    const auto check_fade = [](Real t, Real expected, Real bound) {
+        INFO("6t^5 - 15t^4 + 10t^3 at t = " << t);
+        CHECK(test::near(fade(t), expected, bound));
+    };
+    check_fade(0, 0, 0);
+    check_fade(0.5, 0.5, fade_bound);
+    check_fade(1, 1, fade_bound);
+    check_fade(0.25, 0.103515625, fade_bound);  // 10/64 - 15/256 + 6/1024
 }
 
 TEST_CASE("the cell of a point is below it on every axis", "[11.4]") {

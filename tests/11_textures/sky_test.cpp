@@ -178,18 +178,25 @@ TEST_CASE("a gradient mixes the horizon's colour with the zenith's or the nadir'
 }
 
 TEST_CASE("a direction is turned clockwise, so that the picture turns counterclockwise", "[11.8]") {
-    const Real bound = 4 * unit_roundoff;
-    CHECK(test::near(turned({1, 2, 3}, turn_by(0)), Vec3(1, 2, 3), bound));
-    CHECK(test::near(turned({0, 2, -1}, turn_by(pi / 2)), Vec3(1, 2, 0), bound));
-    CHECK(test::near(turned({1, 0, 0}, turn_by(-pi / 2)), Vec3(0, 0, -1), bound));
-    CHECK(test::near(turned({1, 0, 0}, turn_by(pi)), Vec3(-1, 0, 0), bound));
+    const auto check_turned = [](const Vec3& d, Real degrees, const Vec3& expected) {
+        INFO("the direction " << d << " in a sky whose picture is turned by " << degrees << " degrees");
+        CHECK(test::near_direction(turned(d, turn_by(radians(degrees))), expected, 4 * unit_roundoff));
+    };
+    check_turned({1, 2, 3}, 0, {1, 2, 3});
+    check_turned({0, 2, -1}, 90, {1, 2, 0});
+    check_turned({1, 0, 0}, -90, {0, 0, -1});
+    check_turned({1, 0, 0}, 180, {-1, 0, 0});
 }
 
 TEST_CASE("the sky's light: one colour, a gradient", "[11.8]") {
     const Sky grey = ConstantSky{{0.5, 0.25, 0.125}};
-    CHECK(test::near(sky_radiance(grey, {1, 2, 3}), Vec3(0.5, 0.25, 0.125), 0));
+    {
+        INFO("a sky that is (0.5, 0.25, 0.125) everywhere, in the direction (1, 2, 3)");
+        CHECK(test::near_color(sky_radiance(grey, {1, 2, 3}), Vec3(0.5, 0.25, 0.125), 0));
+    }
     const Sky gradient = GradientSky{{0, 0.5, 1}, {1, 1, 1}, {0.5, 0.25, 0}};
-    CHECK(test::near(sky_radiance(gradient, {0, 3, 4}), Vec3(0.4, 0.7, 1), 8 * unit_roundoff));
+    INFO("a gradient from (1, 1, 1) at the horizon to (0, 0.5, 1) above, in the direction (0, 3, 4)");
+    CHECK(test::near_color(sky_radiance(gradient, {0, 3, 4}), Vec3(0.4, 0.7, 1), 8 * unit_roundoff));
 }
 
 namespace {
@@ -210,7 +217,7 @@ void check_seen(SkyMap map, Real degrees, const Vec3& direction, const Vec3& exp
                                     << " degrees; red is the column, "
                                     << "blue the upper row; direction " << direction);
     // The place is 16u off at most, times 4 columns, and colours differ by at most 3 from one to the next.
-    CHECK(test::near(sky_radiance(sky, direction), expected, 16 * u16));
+    CHECK(test::near_color(sky_radiance(sky, direction), expected, 16 * u16));
 }
 
 }  // namespace

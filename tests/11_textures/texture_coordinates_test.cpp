@@ -85,14 +85,21 @@ TEST_CASE("the nearer corner counts for more", "[11.1]") {
 }
 
 TEST_CASE("where all corners are equally far away, the screen's weights are right", "[11.1]") {
-    for (const Real depth : {0.25, 1.0, 1000.0})
+    for (const Real depth : {0.25, 1.0, 1000.0}) {
+        INFO("uvs (0, 0), (0, 1), (1, 0), all at depth " << depth
+                                                         << "; on the screen at weights (0.25, 0.5, 0.25)");
         CHECK(near(perspective_uv(corners, Vec3(depth), {0.25, 0.5, 0.25}), Vec2(0.25, 0.5), gamma(16)));
+    }
 }
 
 TEST_CASE("a corner's uv is seen where the corner is", "[11.1]") {
-    CHECK(near(perspective_uv(corners, {5, 3, 2}, {1, 0, 0}), Vec2(0, 0), gamma(16)));
-    CHECK(near(perspective_uv(corners, {5, 3, 2}, {0, 1, 0}), Vec2(0, 1), gamma(16)));
-    CHECK(near(perspective_uv(corners, {5, 3, 2}, {0, 0, 1}), Vec2(1, 0), gamma(16)));
+    const auto check_corner = [](const Vec3& weights, const Vec2& expected) {
+        INFO("uvs (0, 0), (0, 1), (1, 0) at depths 5, 3 and 2; on the screen at weights " << weights);
+        CHECK(near(perspective_uv(corners, {5, 3, 2}, weights), expected, gamma(16)));
+    };
+    check_corner({1, 0, 0}, {0, 0});
+    check_corner({0, 1, 0}, {0, 1});
+    check_corner({0, 0, 1}, {1, 0});
 }
 
 TEST_CASE("a ball's equator: a turn of u is 2 pi long, half a turn of v is pi", "[11.1]") {
@@ -220,6 +227,8 @@ TEST_CASE("each face of a box shows the whole image, upright and not mirrored fr
                     {uvs[face], du, dv}, 8);
         Vec3 outward(0);
         outward[static_cast<int>(face / 2)] = face % 2 == 0 ? -1 : 1;
+        INFO("face " << face << ": du × dv = " << cross(texture.du, texture.dv)
+                     << " should look outwards, like " << outward << "; the product of the two is");
         CHECK(dot(cross(texture.du, texture.dv), outward) > 0);
     }
 }
@@ -301,6 +310,7 @@ TEST_CASE("a quadric or formula that is a ball has a ball's coordinates", "[11.1
         const std::string where = "p = " + test::show(p);
         check_point("quadric, " + where, texture_point(ellipsoid(Vec3(1)), p, 6), expected, 1);
         check_point("formula, " + where, texture_point(sphere_of_formula(), p, 6), expected, 1);
+        INFO("texture_uv of the quadric and the formula at " << where);
         CHECK(near(texture_uv(ellipsoid(Vec3(1)), p, 6), expected.uv, 0));
         CHECK(near(texture_uv(sphere_of_formula(), p, 6), expected.uv, 0));
     }

@@ -18,11 +18,10 @@ namespace {
 using Numbers = std::vector<Real>;
 
 /// Whether two lists are equal, but for rounding.
-bool all_near(const Numbers& actual, const Numbers& expected) {
-    if (actual.size() != expected.size()) return false;
-    for (std::size_t i = 0; i < actual.size(); ++i)
-        if (!near(actual[i], expected[i], gamma(16))) return false;
-    return true;
+test::Told all_near(const Numbers& actual, const Numbers& expected) {
+    bool right = actual.size() == expected.size();
+    for (std::size_t i = 0; right && i < actual.size(); ++i) right = near(actual[i], expected[i], gamma(16));
+    return test::or_say(right, test::show(actual) + ", expected " + test::show(expected));
 }
 
 void check_choice(const Numbers& sums, Real random, std::uint32_t index, Real probability, Real rest) {
@@ -106,9 +105,12 @@ TEST_CASE("each is chosen as often as it weighs, and what is left is uniform", "
     std::vector<int> first(8, 0), second(8, 0), third(8, 0);
     Random random(121501);
     for (int i = 0; i < count; ++i) {
-        const Choice choice = choose(sums, random.uniform(0, 1));
+        const Real number = random.uniform(0, 1);
+        const Choice choice = choose(sums, number);
+        INFO("of the sums 0.7, 0.8 and 1 the number " << number << " chooses index " << choice.index
+                                                      << " of 0, 1 and 2, and leaves " << choice.random);
         REQUIRE(choice.index < 3);
-        REQUIRE((choice.random >= 0 && choice.random < 1));
+        REQUIRE(test::or_say(choice.random >= 0 && choice.random < 1, "what is left is not in [0, 1)"));
         auto& part = choice.index == 0 ? first : choice.index == 1 ? second : third;
         ++part[static_cast<std::size_t>(choice.random * 8)];
     }

@@ -34,7 +34,7 @@ Corners turned_round(Corners corners) {
 
 /// Whether both are the same ring of corners, up to `bound`: whichever is the first, and if some are there
 /// twice.
-bool same_ring(const Corners& actual, const Corners& expected, Real bound) {
+bool is_same_ring(const Corners& actual, const Corners& expected, Real bound) {
     Corners ring;
     for (const Vec3& corner : actual)
         if (ring.empty() || !near(corner, ring.back(), bound)) ring.push_back(corner);
@@ -47,6 +47,11 @@ bool same_ring(const Corners& actual, const Corners& expected, Real bound) {
         if (is_same) return true;
     }
     return ring.empty();
+}
+
+test::Told same_ring(const Corners& actual, const Corners& expected, Real bound) {
+    return test::or_say(is_same_ring(actual, expected, bound),
+                        test::show(actual) + ", expected " + test::show(expected));
 }
 
 /// Irradiance of a rectangle from (0, 0) to (x, y) at the height h above the point, in closed form.

@@ -131,7 +131,7 @@ TEST_CASE("the middles of the square's sides and its corners, by hand", "[12.6]"
 }
 
 TEST_CASE("the middle of the square is the middle of the disc and of polygons", "[12.6]") {
-    CHECK(disc_point({0.5, 0.5}) == Vec2(0));
+    check_disc({0.5, 0.5}, {0, 0});
     for (const int sides : {3, 4, 5, 8}) check_polygon(sides, 1, {0.5, 0.5}, {0, 0});
 }
 

@@ -39,13 +39,14 @@ void check_seen(const Ray& ray, const Vec3& motion, const Vec3& origin) {
 }
 
 /// Whether x is `expected` or one of the next numbers in the direction of `outwards`.
-bool is_just_beyond(Real x, Real expected, Real outwards) {
+test::Told is_just_beyond(Real x, Real expected, Real outwards) {
+    bool found = false;
     Real number = expected;
     for (int i = 0; i <= 4; ++i) {
-        if (x == number) return true;
+        found = found || x == number;
         number = std::nextafter(number, outwards);
     }
-    return false;
+    return test::or_say(found, test::show(x) + ", expected " + test::show(expected) + " or just beyond");
 }
 
 void check_bounds(const Bounds& box, const Vec3& motion, const Bounds& expected) {
@@ -53,7 +54,7 @@ void check_bounds(const Bounds& box, const Vec3& motion, const Bounds& expected)
     INFO("the " << box << ", motion " << motion << ": a " << all << ", expected the " << expected
                 << " or next to it, outwards");
     for (int axis = 0; axis < 3; ++axis) {
-        INFO("axis " << axis);
+        INFO("axis " << axis << ", the lower face and then the upper");
         CHECK(is_just_beyond(all.low[axis], expected.low[axis], -infinity));
         CHECK(is_just_beyond(all.high[axis], expected.high[axis], infinity));
     }
@@ -143,8 +144,13 @@ TEST_CASE("at time ¼ a thing has moved by a quarter, and its rays come from as 
 
 TEST_CASE("at time 0, and without motion, it is the ray itself", "[12.9]") {
     const Ray early{{0.1, 0.2, 0.3}, {1, 2, 3}, 0}, later{{0.1, 0.2, 0.3}, {1, 2, 3}, 0.7};
-    CHECK(seen_while_moving(early, {1e10, -3, 7}).origin == early.origin);
+    {
+        INFO("at time 0, a thing that moves by (1e10, -3, 7): the origin of the ray that it sees");
+        CHECK(seen_while_moving(early, {1e10, -3, 7}).origin == early.origin);
+    }
+    INFO("at time 0.7, a thing that does not move: the origin of the ray that it sees");
     CHECK(seen_while_moving(later, {0, 0, 0}).origin == later.origin);
+    INFO("and its time");
     CHECK(seen_while_moving(later, {0, 0, 0}).time == 0.7);
 }
 

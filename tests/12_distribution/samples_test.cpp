@@ -30,11 +30,15 @@ std::vector<std::uint32_t> order_of(std::uint32_t count, std::uint64_t key) {
 }
 
 /// Whether each of 0 … count − 1 is there once.
-bool has_each_once(std::vector<std::uint32_t> places) {
+test::Told has_each_once(std::vector<std::uint32_t> places) {
     std::sort(places.begin(), places.end());
-    for (std::size_t i = 0; i < places.size(); ++i)
-        if (places[i] != i) return false;
-    return true;
+    std::string wrong;
+    for (std::size_t i = 0; i < places.size() && wrong.empty(); ++i)
+        if (places[i] != i)
+            wrong = i > 0 && places[i] == places[i - 1]
+                        ? "two samples have the place " + test::show(places[i])
+                        : "no sample has the place " + test::show(i);
+    return test::or_say(wrong.empty(), wrong);
 }
 
 /// Only the first few, where they are many.

@@ -32,6 +32,11 @@ TEST_CASE("the catalogue of the course itself is right") {
     for (const Chapter& chapter : chapters) {
         CHECK(chapter.steps.size() >= 3);
         CHECK(chapter.scenes.size() >= 3);
+        for (const Step& step : chapter.steps)
+            for (const std::string& used : step.uses) {
+                INFO(step.id << " uses " << used);
+                CHECK(find_step(chapters, used).step);
+            }
     }
 }
 
@@ -62,6 +67,18 @@ TEST_CASE("the README's table has the chapters' hours") {
         CHECK_THAT(readme.substr(row, readme.find('\n', row) - row),
                    Catch::EndsWith("| " + std::to_string(chapter.hours) + " |"));
     }
+}
+
+TEST_CASE("a step uses earlier ones, of its own chapter or of another") {
+    const std::string second = "\"id\": \"02.2\",";
+    const auto using_step = [&](const std::string& used) {
+        return with(second, second + " \"uses\": [\"" + used + "\"],");
+    };
+    CHECK(error_of(using_step("02.1")) == "");
+    CHECK(error_of(using_step("01.9")) == "");
+    for (const std::string used : {"02.2", "02.3", "03.1", "x", ""})
+        CHECK_THAT(error_of(using_step(used)),
+                   Catch::EndsWith("steps/1/uses/0: '" + used + "' is not an earlier step"));
 }
 
 TEST_CASE("a chapter is read with all that it says") {

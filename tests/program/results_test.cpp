@@ -1,6 +1,7 @@
 // From the report of a test program to the state of each step, and what is remembered of it.
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/workbook/causes.hpp"
 #include "common/workbook/check.hpp"
 #include "common/workbook/drift.hpp"
 #include "common/workbook/result_text.hpp"
@@ -208,6 +209,65 @@ TEST_CASE("the compiler's first error is found among what a build says") {
     CHECK(first_error(project, "/usr/bin/ld: x.o: multiple definition of `f()'\n") ==
           "/usr/bin/ld: x.o: multiple definition of `f()'");
     CHECK(first_error(project, "first\nlast\n") == "last");
+}
+
+namespace {
+
+/// Chapters with steps that use others: 01.2 uses 01.1, 01.3 uses 01.2, 02.1 uses 01.3, 02.2 nothing.
+std::vector<Chapter> steps_on_steps() {
+    Chapter one{"01_first", "01", "One", "", {}, {}}, two{"02_second", "02", "Two", "", {}, {}};
+    one.steps = {{"01.1", "A", "x.cpp", 1, {}, {}},
+                 {"01.2", "B", "x.cpp", 1, {}, {"01.1"}},
+                 {"01.3", "C", "x.cpp", 1, {}, {"01.2"}}};
+    two.steps = {{"02.1", "D", "y.cpp", 1, {}, {"01.3"}}, {"02.2", "E", "y.cpp", 1, {}, {}}};
+    return {one, two};
+}
+
+}  // namespace
+
+TEST_CASE("a failure names the first failed step that it may follow from") {
+    const std::vector<Chapter> chapters = steps_on_steps();
+    ChapterResult result{
+        "01_first",
+        "",
+        {{"01.1", State::Failed, "why"}, {"01.2", State::Passed, ""}, {"01.3", State::Failed, "why"}}};
+    find_causes(chapters, {}, result);
+    CHECK(result.steps[0].because == "");
+    CHECK(result.steps[1].because == "");
+    CHECK(result.steps[2].because == "01.1");
+    CHECK(next_action(chapters[0], result).starts_with("mend step 01.1 in chapters/01_first/x.cpp"));
+    CHECK_THAT(step_line(chapters[0].steps[2], result.steps[2]), Catch::Contains("perhaps because of 01.1"));
+
+    result.steps[0].state = State::Passed;
+    result.steps[2].because = "";
+    find_causes(chapters, {}, result);
+    CHECK(result.steps[2].because == "");
+
+    ChapterResult unbuilt{"01_first", "x.cpp:1: error: y", result.steps};
+    unbuilt.steps[1].state = State::Failed;
+    find_causes(chapters, {}, unbuilt);
+    CHECK(unbuilt.steps[2].because == "");
+}
+
+TEST_CASE("a failure may follow from an earlier chapter's step") {
+    const std::vector<Chapter> chapters = steps_on_steps();
+    ChapterResult result{"02_second", "", {{"02.1", State::Failed, "why"}, {"02.2", State::Passed, ""}}};
+    find_causes(chapters, {"01.2"}, result);
+    CHECK(result.steps[0].because == "01.2");
+    CHECK(next_action(chapters[1], result) ==
+          "./course check 01.2 shows what is wrong with step 01.2, which step 02.1 uses");
+    result.steps[1].state = State::Failed;
+    find_causes(chapters, {"01.2"}, result);
+    CHECK(next_action(chapters[1], result).starts_with("mend step 02.2 in chapters/02_second/y.cpp"));
+}
+
+TEST_CASE("which failed step another follows from is remembered") {
+    const Tree tree;
+    tree.start_first_step();
+    ChapterResult result = all_todo(tree.chapter());
+    result.steps[1] = {"02.2", State::Failed, "why", "02.1"};
+    remember(tree.project, tree.chapter(), result, sources_fingerprint(tree.project, tree.chapter()));
+    CHECK(known_result(tree.project, tree.chapter()).result.steps[1].because == "02.1");
 }
 
 TEST_CASE("verdicts as JSON have the documented form") {

@@ -71,7 +71,7 @@ cat >chapters/$name/chapter.json <<'END'
 {"title": "Tiny", "summary": "The least chapter.", "hours": 1,
  "steps": [
   {"id": "99.1", "title": "Next", "file": "tiny.cpp", "points": 1, "hints": ["first", "second", "third"]},
-  {"id": "99.2", "title": "After next", "file": "tiny.cpp", "points": 2, "hints": ["a", "b", "c"]}],
+  {"id": "99.2", "title": "After next", "file": "tiny.cpp", "points": 2, "uses": ["99.1"], "hints": ["a", "b", "c"]}],
  "scenes": ["one.scene"]}
 END
 cat >references/$name/one.scene <<'END'
@@ -139,6 +139,11 @@ set_step 99.2 'return next(n) * 2;'
 expect "a wrong step" 1 "tests/$name/tiny_test.cpp:9: rt::after_next" ./course check 99
 expect "the values are shown" 1 "came out: 4, expected 3" ./course check 99
 expect_state "a wrong step" 99.2 failed
+
+start_again; set_step 99.1 'return n;'; set_step 99.2 'return n;'
+expect "what may follow from another step says so" 1 "99.2 .*perhaps because of 99.1" ./course check 99
+expect "and how it is seen" 1 "./course check 99.2 shows all about that step" ./course check 99
+expect "by itself" 1 "after the next comes the next's next" ./course check 99.2
 
 start_again; set_step 99.1 'int* p = nullptr; return *(volatile int*)p;'; set_step 99.2 'return n + 2;'
 expect "a crash is named" 1 'crashed \(segmentation fault\) in the test "after one comes two"' ./course check 99

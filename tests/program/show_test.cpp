@@ -98,6 +98,9 @@ TEST_CASE("a condition that failed is told in words: what came out, and what was
     CHECK(test::in_words("false == true") == "no, expected yes");
     CHECK(test::in_words("false") == "no, expected yes");
     CHECK(test::in_words("!true") == "yes, expected no");
+    CHECK(test::in_words("false", "hit.has_value()") == "nothing, expected something");
+    CHECK(test::in_words("!true", "!(hit.has_value())") == "something, expected nothing");
+    CHECK(test::in_words("true == false", "a.has_value() == b.has_value()") == "something, expected nothing");
     CHECK(test::in_words("a miss") == "a miss, expected a hit");
     CHECK(test::in_words("nothing") == "nothing, expected something");
     CHECK(test::in_words("!hit of 0 at t = 3") == "hit of 0 at t = 3, expected a miss");

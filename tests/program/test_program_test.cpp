@@ -36,6 +36,25 @@ TEST_CASE("a failure is reported as JSON whatever it says") {
     CHECK(report.ended[0].message.find("caf\\xe9 \\x1b[2J\\x01") != std::string::npos);
 }
 
+// Likewise.
+TEST_CASE("a loop of which some cases fail", "[.][some-fail]") {
+    for (int i = 0; i < 10; ++i) {
+        INFO("number " << i);
+        CHECK(i % 3 == 0);
+        CHECK(i < 9);
+    }
+}
+
+TEST_CASE("of cases that fail alike the first is shown, and how many there are") {
+    const std::string file = test::scratch_directory() + "/some_fail.jsonl";
+    run_process({program(this_project(), "test_program").string(), "[some-fail]", "--report", file});
+    const TestReport report = read_report(read_file(file));
+    REQUIRE(report.ended.size() == 1);
+    CHECK_THAT(report.ended[0].message,
+               Catch::StartsWith("number 1\ncame out: 1, expected 0\nit fails in 5 more "
+                                 "cases of this test\ntests/program/"));
+}
+
 TEST_CASE("a test program says by its status that its report is not whole") {
     const std::string test_program = program(this_project(), "test_program").string();
     const std::string test = "a report is read as far as it was written";

@@ -113,10 +113,11 @@ std::string literal_of(const CosineCase& item) {
     return "cos_i = " + literal(item.cos_i) + ", eta = " + literal(item.eta);
 }
 std::string literal_of(const std::optional<Vec3>& answer) { return answer ? literal(*answer) : "nothing"; }
+std::string literal_of(Real answer) { return literal(answer); }
 
 /// Counts one case; `error` is in units of what is allowed, NaN is wrong.
-template <class Case>
-void count(Verdict& verdict, const Case& item, Precise error, const std::string& answer) {
+template <class Case, class Answer>
+void count(Verdict& verdict, const Case& item, Precise error, const Answer& answer) {
     if (error <= 1) {
         if (error > verdict.worst) {
             verdict.worst = static_cast<Real>(error);
@@ -124,7 +125,7 @@ void count(Verdict& verdict, const Case& item, Precise error, const std::string&
         }
     } else {
         const std::string times = test::show_size(static_cast<Real>(error));
-        count_mismatch(verdict, literal_of(item) + "\n  answered: " + answer + ", " +
+        count_mismatch(verdict, literal_of(item) + "\n  answered: " + literal_of(answer) + ", " +
                                     (error < 1e300 ? "off by " + times + " times what is allowed"
                                                    : "which is wrong by any measure"));
     }
@@ -205,7 +206,7 @@ Verdict judge_refraction(std::span<const InterfaceCase> cases, std::span<const s
                         ? length(sum(1, precise(*answer), -1, truth.t)) / (8 * kappa * unit_roundoff)
                         : wrong();
         }
-        count(verdict, cases[i], error, literal_of(answer));
+        count(verdict, cases[i], error, answer);
     }
     return verdict;
 }
@@ -223,13 +224,13 @@ Verdict judge_way_back(std::span<const InterfaceCase> cases, std::span<const std
         const Precise moved = truth.s * (32 * unit_roundoff * truth.cos_t / eta + 4 * rounding * truth.s);
         if (truth.c * truth.c <= moved) {
             ++verdict.undecided;
-            count(verdict, cases[i], back[i] && !is_unit(*back[i]) ? wrong() : 0, literal_of(back[i]));
+            count(verdict, cases[i], back[i] && !is_unit(*back[i]) ? wrong() : 0, back[i]);
             continue;
         }
         const Precise kappa = 2 * (1 + truth.cos_t / (eta * truth.c));
         const Precise allowed = 8 * kappa * unit_roundoff + 2 * rounding * truth.s / truth.c;
         const Precise error = back[i] ? length(sum(1, precise(*back[i]), 1, truth.d)) / allowed : wrong();
-        count(verdict, cases[i], error, literal_of(back[i]));
+        count(verdict, cases[i], error, back[i]);
     }
     return verdict;
 }
@@ -261,7 +262,7 @@ Verdict judge_reflectance(std::span<const CosineCase> cases, std::span<const Rea
             const Reflectance truth = reflectance_of(eta, c, cos_t_squared);
             error = std::abs(answers[i] - truth.exact) / (8 * truth.kappa * unit_roundoff);
         }
-        count(verdict, cases[i], error, literal(answers[i]));
+        count(verdict, cases[i], error, answers[i]);
     }
     return verdict;
 }
@@ -285,7 +286,7 @@ Verdict judge_energy(std::span<const CosineCase> cases, std::span<const Real> an
             kappa = reflectance_of(eta, c, cos_t_squared).kappa;
         }
         const Precise error = std::abs(answers[i] + through - 1) / (4 * kappa * unit_roundoff);
-        count(verdict, cases[i], error, literal(answers[i]));
+        count(verdict, cases[i], error, answers[i]);
     }
     return verdict;
 }
