@@ -140,7 +140,8 @@ void add_render(CommandLine& line) {
 
 void add_compare(CommandLine& line) {
     CLI::App* sub = add_command(line, "compare", "how far a picture is from a reference",
-                                "compare mine.png references/02_spheres/normals.png --page compare.html",
+                                "compare mine.png references/02_spheres/normals.png --page compare.html "
+                                "--scene references/02_spheres/normals.scene",
                                 [&line] { return run_compare(line.compare); });
     sub->add_option("image", line.compare.image, "a .png, .pfm or .hdr")->required();
     sub->add_option("reference", line.compare.reference, "another of the same size")->required();
@@ -149,7 +150,13 @@ void add_compare(CommandLine& line) {
            "the same if 99.9 % of the pixels differ by N/255 of the display's range at most; default 1")
         ->transform(whole_number(0, 255));
     sub->add_option("--diff", line.compare.diff, "write a picture of the differences");
-    sub->add_option("--page", line.compare.page, "write a page with the pictures side by side");
+    CLI::Option* page = sub->add_option(
+        "--page", line.compare.page, "write a page: both pictures under a slider, where and how they differ");
+    sub->add_option(
+           "--scene", line.compare.scene,
+           "the scene of the pictures: on a click the page shows the rays of a pixel, by your code and "
+           "by the solutions")
+        ->needs(page);
     sub->add_option("--encoding", line.compare.encoding, "of 8-bit files: srgb or linear; default srgb")
         ->check(CLI::IsMember({"srgb", "linear"}));
 }
@@ -174,6 +181,8 @@ void add_trace(CommandLine& line) {
         ->transform(whole_number(0, largest_side - 1))
         ->required();
     sub->add_flag("--lenient", line.trace.lenient, lenient_help);
+    // For the program itself, which asks the student's code for many pixels at once.
+    sub->add_option("--also", line.trace.also, "")->group("");
     sub->add_option("--against", line.trace.against,
                     "solutions: your tree beside theirs, to the first difference");
 }

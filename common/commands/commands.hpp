@@ -70,8 +70,10 @@ struct CompareCommand {
     int within = 1;                 ///< of 255: differences up to this are the same to the eye
     std::filesystem::path diff;     ///< or empty
     std::filesystem::path page;     ///< or empty
+    std::filesystem::path scene;    ///< of the pictures: the page shows rays; or empty
     std::string encoding = "srgb";  ///< of 8-bit files
     bool json = false;
+    std::vector<std::string> arguments;  ///< as of RenderCommand
 };
 
 /// `course compare IMAGE REFERENCE`: 1 if they differ by more.
@@ -91,6 +93,7 @@ struct TraceCommand {
     std::filesystem::path scene;
     int x = 0;            ///< pixel's column, from the left
     int y = 0;            ///< pixel's row, from the top
+    std::string also;     ///< more pixels, as "3,4 5,6": then one JSON object has the trees of all; or empty
     std::string against;  ///< "solutions": the student's tree beside the solutions'; or empty
     bool lenient = false;
     bool json = false;

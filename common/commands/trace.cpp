@@ -1,18 +1,20 @@
 // `course trace`: the ray tree of one pixel, and where a student's tree first differs from the solution's.
 #include "common/commands/commands.hpp"
 #include "common/commands/mine.hpp"
+#include "common/commands/student_trees.hpp"
 #include "common/math/input_error.hpp"
 #include "common/pictures/ray_tree.hpp"
 #include "common/pictures/scene_file.hpp"
 #include "common/pictures/tree_difference.hpp"
+#include "common/render/compile.hpp"
 #include "common/terminal/console.hpp"
 #include "common/terminal/json_text.hpp"
-#include "common/terminal/process.hpp"
 #include "common/workbook/catalogue.hpp"
-#include "common/workbook/check.hpp"
 #include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
+
+#include <sstream>
 
 namespace rt {
 
@@ -26,33 +28,16 @@ ordered_json tree_of(const TraceCommand& command) {
     return tree;
 }
 
-/// The tree that the student's chapters make of the same pixel, from a process of their own.
-ordered_json student_trace(const Project& project, const TraceCommand& command) {
-    const std::vector<Chapter> chapters = read_catalogue(project);
-    const std::vector<const Chapter*> mine = pointers_to(chapters);
-    const BuildResult build = build_mine(project, mine);
-    if (!build.ok) throw InputError("your chapters do not build: " + build.message);
-    ProcessOptions options;
-    options.time_limit = 60;
-    options.merge_errors = false;
-    options.environment = {{mine_variable, numbers_of(mine)}};
-    options.output_limit = std::size_t{256} << 20;
-    std::vector<std::string> line{program(project, "course_mine").string(),
-                                  "trace",
-                                  command.scene.string(),
-                                  std::to_string(command.x),
-                                  std::to_string(command.y),
-                                  "--json"};
-    if (command.lenient) line.push_back("--lenient");
-    const ProcessResult result = run_process(line, options);
-    if (!succeeded(result))
-        throw InputError(result.timed_out     ? "your code takes more than a minute for this pixel"
-                         : result.signal != 0 ? "your code crashed: " + signal_name(result.signal)
-                                              : std::string("your code made no tree of this pixel"));
-    ordered_json tree = read_ordered_json(result.output);
-    if (tree.is_discarded())
-        throw InputError("the tree that your code makes of this pixel is too large to compare");
-    return tree;
+/// The trees of more pixels than one, which nobody reads.
+void print_trees(const TraceCommand& command) {
+    const Scene scene = read_scene(command.scene, command.lenient);
+    const World world = compile(scene);
+    auto trees = ordered_json::array();
+    trees.push_back(ray_tree(scene, world, command.x, command.y));
+    std::istringstream in(command.also);
+    char comma = 0;
+    for (int x = 0, y = 0; in >> x >> comma >> y;) trees.push_back(ray_tree(scene, world, x, y));
+    fmt::print("{}\n", json_text(ordered_json{{"trees", trees}}));
 }
 
 /// The rays in which both agree are told once, the first in which they do not, by both.
@@ -65,7 +50,11 @@ void print_both(const ordered_json& mine, const ordered_json& theirs, std::size_
 
 int run_against(const TraceCommand& command) {
     const ordered_json theirs = tree_of(command);
-    const ordered_json mine = student_trace(this_project(), command);
+    const Project project = this_project();
+    const std::vector<Chapter> chapters = read_catalogue(project);
+    const ordered_json mine = student_trees(project, pointers_to(chapters), command.scene, command.lenient,
+                                            {{command.x, command.y}})
+                                  .front();
     const std::optional<TraceDifference> difference = first_difference(mine, theirs);
     if (command.json) {
         ordered_json object = {{"same", !difference}, {"mine", mine}, {"solution", theirs}};
@@ -103,6 +92,10 @@ int run_trace(const TraceCommand& command) {
         return run_against(command);
     }
     become_mine_in_handout(command.arguments);
+    if (!command.also.empty()) {
+        print_trees(command);
+        return 0;
+    }
     const ordered_json tree = tree_of(command);
     if (command.json)
         fmt::print("{}\n", json_text(tree));
