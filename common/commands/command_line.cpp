@@ -69,13 +69,19 @@ CLI::App* add_command(CommandLine& line, const std::string& name, const std::str
 }
 
 void add_check(CommandLine& line) {
-    CLI::App* sub = add_command(line, "check",
-                                "build and test your code: chapters (02), steps (02.1), or the chapter in "
-                                "progress",
-                                "check 02", [&line] { return run_check(line.check); });
+    CLI::App* sub = add_command(
+        line, "check",
+        "build and test your code: chapters (02), steps (02.1), or the chapter in "
+        "progress",
+        "check 02", [&line] { return line.check.watch ? run_watch(line.check) : run_check(line.check); });
     sub->add_option("what", line.check.targets, "chapters or steps, such as 02 or 02.1");
-    sub->add_flag("--solutions", line.check.solutions,
-                  "the solutions instead of your code; default: all chapters");
+    CLI::Option* solutions = sub->add_flag("--solutions", line.check.solutions,
+                                           "the solutions instead of your code; default: all chapters");
+    sub->add_flag(
+           "--watch", line.check.watch,
+           "one step at a time, checked again whenever you save a file; keys for hint, picture and list")
+        ->excludes(solutions)
+        ->excludes("--json");
 }
 
 void add_list(CommandLine& line) {

@@ -25,11 +25,15 @@ int run_list(bool json);
 struct CheckCommand {
     std::vector<std::string> targets;  ///< "02", "02.1"; empty: the chapter in progress
     bool solutions = false;
+    bool watch = false;  ///< go on, and check again what is saved
     bool json = false;
 };
 
 /// `course check`: 1 if a step that was asked for has not passed.
 int run_check(const CheckCommand& command);
+
+/// `course check --watch`: one step at a time, on a terminal, until all have passed or the person quits.
+int run_watch(const CheckCommand& command);
 
 /// `course hint NN.S`: one more hint each time, or all.
 int run_hint(const std::string& step, bool all, bool json);

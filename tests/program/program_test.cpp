@@ -82,12 +82,17 @@ TEST_CASE("unknown commands and options get a suggestion") {
 TEST_CASE("commands that come with later chapters are not offered") {
     CHECK(course("book").status == 2);
     CHECK(course("--help").out.find("\n  book") == std::string::npos);
-    CHECK(course("check --watch").status == 2);
+}
+
+TEST_CASE("to watch takes a terminal") {
+    check_refused("check --watch", "--watch needs a terminal to show things and to take keys");
 }
 
 TEST_CASE("a command line that lacks something is refused in one line") {
-    for (const char* wrong : {"render", "hint", "compare one.png", "render x.scene --threads zero",
-                              "render x.scene --mine --solutions", "compare a b --within 300"}) {
+    for (const char* wrong :
+         {"render", "hint", "compare one.png", "render x.scene --threads zero",
+          "render x.scene --mine --solutions", "compare a b --within 300", "check --watch --json",
+          "check --watch --solutions", "compare a b --scene x.scene"}) {
         INFO("arguments := " << wrong);
         const Outcome outcome = course(wrong);
         CHECK(outcome.status == 2);
