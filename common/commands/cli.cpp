@@ -102,7 +102,7 @@ int run_line(int argc, char** argv, bool by_script, int& write_error) {
         CommandLine line;
         describe_commands(line);
         line.render.arguments.assign(argv + 1, argv + argc);
-        line.explain.arguments = line.trace.arguments = line.render.arguments;
+        line.explain.arguments = line.trace.arguments = line.compare.arguments = line.render.arguments;
         try {
             line.app.parse(argc, argv);
         } catch (const CLI::CallForHelp&) {

@@ -69,13 +69,19 @@ CLI::App* add_command(CommandLine& line, const std::string& name, const std::str
 }
 
 void add_check(CommandLine& line) {
-    CLI::App* sub = add_command(line, "check",
-                                "build and test your code: chapters (02), steps (02.1), or the chapter in "
-                                "progress",
-                                "check 02", [&line] { return run_check(line.check); });
+    CLI::App* sub = add_command(
+        line, "check",
+        "build and test your code: chapters (02), steps (02.1), or the chapter in "
+        "progress",
+        "check 02", [&line] { return line.check.watch ? run_watch(line.check) : run_check(line.check); });
     sub->add_option("what", line.check.targets, "chapters or steps, such as 02 or 02.1");
-    sub->add_flag("--solutions", line.check.solutions,
-                  "the solutions instead of your code; default: all chapters");
+    CLI::Option* solutions = sub->add_flag("--solutions", line.check.solutions,
+                                           "the solutions instead of your code; default: all chapters");
+    sub->add_flag(
+           "--watch", line.check.watch,
+           "one step at a time, checked again whenever you save a file; keys for hint, picture and list")
+        ->excludes(solutions)
+        ->excludes("--json");
 }
 
 void add_list(CommandLine& line) {
@@ -140,7 +146,8 @@ void add_render(CommandLine& line) {
 
 void add_compare(CommandLine& line) {
     CLI::App* sub = add_command(line, "compare", "how far a picture is from a reference",
-                                "compare mine.png references/02_spheres/normals.png --page compare.html",
+                                "compare mine.png references/02_spheres/normals.png --page compare.html "
+                                "--scene references/02_spheres/normals.scene",
                                 [&line] { return run_compare(line.compare); });
     sub->add_option("image", line.compare.image, "a .png, .pfm or .hdr")->required();
     sub->add_option("reference", line.compare.reference, "another of the same size")->required();
@@ -149,7 +156,13 @@ void add_compare(CommandLine& line) {
            "the same if 99.9 % of the pixels differ by N/255 of the display's range at most; default 1")
         ->transform(whole_number(0, 255));
     sub->add_option("--diff", line.compare.diff, "write a picture of the differences");
-    sub->add_option("--page", line.compare.page, "write a page with the pictures side by side");
+    CLI::Option* page = sub->add_option(
+        "--page", line.compare.page, "write a page: both pictures under a slider, where and how they differ");
+    sub->add_option(
+           "--scene", line.compare.scene,
+           "the scene of the pictures: on a click the page shows the rays of a pixel, by your code and "
+           "by the solutions")
+        ->needs(page);
     sub->add_option("--encoding", line.compare.encoding, "of 8-bit files: srgb or linear; default srgb")
         ->check(CLI::IsMember({"srgb", "linear"}));
 }
@@ -175,6 +188,8 @@ void add_trace(CommandLine& line) {
         ->required();
     sub->add_option("--size", line.trace.size, "WxH of the picture instead of the scene's");
     sub->add_flag("--lenient", line.trace.lenient, lenient_help);
+    // For the program itself, which asks the student's code for many pixels at once.
+    sub->add_option("--also", line.trace.also, "")->group("");
     CLI::Option* mine =
         sub->add_flag("--mine", line.trace.mine, "by all that you have begun, whether it passes or not");
     sub->add_option("--against", line.trace.against,

@@ -25,11 +25,15 @@ int run_list(bool json);
 struct CheckCommand {
     std::vector<std::string> targets;  ///< "02", "02.1"; empty: the chapter in progress
     bool solutions = false;
+    bool watch = false;  ///< go on, and check again what is saved
     bool json = false;
 };
 
 /// `course check`: 1 if a step that was asked for has not passed.
 int run_check(const CheckCommand& command);
+
+/// `course check --watch`: one step at a time, on a terminal, until all have passed or the person quits.
+int run_watch(const CheckCommand& command);
 
 /// `course hint NN.S`: one more hint each time, or all.
 int run_hint(const std::string& step, bool all, bool json);
@@ -70,8 +74,10 @@ struct CompareCommand {
     int within = 1;                 ///< of 255: differences up to this are the same to the eye
     std::filesystem::path diff;     ///< or empty
     std::filesystem::path page;     ///< or empty
+    std::filesystem::path scene;    ///< of the pictures: the page shows rays; or empty
     std::string encoding = "srgb";  ///< of 8-bit files
     bool json = false;
+    std::vector<std::string> arguments;  ///< as of RenderCommand
 };
 
 /// `course compare IMAGE REFERENCE`: 1 if they differ by more.
@@ -91,6 +97,7 @@ struct TraceCommand {
     std::filesystem::path scene;
     int x = 0;            ///< pixel's column, from the left
     int y = 0;            ///< pixel's row, from the top
+    std::string also;     ///< more pixels, as "3,4 5,6": then one JSON object has the trees of all; or empty
     std::string against;  ///< "solutions": the student's tree beside the solutions'; or empty
     std::string size;     ///< WxH: of the picture instead of the scene's; or empty
     bool mine = false;    ///< by the student's code, as far as it is begun

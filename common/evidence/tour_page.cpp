@@ -65,6 +65,14 @@ PageView view_of(const TourPart& part, const TourStop& stop) {
     return view;
 }
 
+/// The first picture of a chapter, or nothing.
+PageView cover_of(const TourPart& part) {
+    const auto stop = std::ranges::find_if(part.stops, [](const TourStop& s) { return s.problem.empty(); });
+    if (stop == part.stops.end()) return nullptr;
+    return {
+        {"source", part.name + "/" + picture_of(*stop)}, {"width", stop->width}, {"height", stop->height}};
+}
+
 }  // namespace
 
 std::string tour_page(const std::vector<TourPart>& tour) {
@@ -77,6 +85,7 @@ std::string tour_page(const std::vector<TourPart>& tour) {
         parts.push_back({{"chapter", part.name},
                          {"title", part.title},
                          {"summary", part.summary},
+                         {"cover", cover_of(part)},
                          {"gallery", gallery},
                          {"stops", stops}});
     }

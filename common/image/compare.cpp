@@ -12,15 +12,6 @@
 namespace rt {
 namespace {
 
-void require_same_size(const Image& image, const Image& reference) {
-    if (image.width == reference.width && image.height == reference.height) return;
-    const auto size = [](const Image& i) {
-        return std::to_string(i.width) + " x " + std::to_string(i.height);
-    };
-    throw InputError("the image has " + size(image) + " pixels and the reference " + size(reference) +
-                     "; only images of one size can be compared");
-}
-
 Real channel_difference(Real a, Real b) {
     if (std::isnan(a) != std::isnan(b)) return 1;
     return std::abs(displayable(a) - displayable(b));
@@ -56,6 +47,15 @@ Histogram cumulative(const Histogram& histogram, Real pixels) {
 }
 
 }  // namespace
+
+void require_same_size(const Image& image, const Image& reference) {
+    if (image.width == reference.width && image.height == reference.height) return;
+    const auto size = [](const Image& i) {
+        return std::to_string(i.width) + " x " + std::to_string(i.height);
+    };
+    throw InputError("the image has " + size(image) + " pixels and the reference " + size(reference) +
+                     "; only images of one size can be compared");
+}
 
 Comparison compare(const Image& image, const Image& reference, const Display& display) {
     require_same_size(image, reference);

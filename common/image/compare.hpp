@@ -35,6 +35,9 @@ struct Comparison {
 /// a silhouette or a shadow's edge, two right programs may see different things.
 inline constexpr Real same_share = 0.999;
 
+/// Throws InputError, naming both sizes, if the sizes differ.
+void require_same_size(const Image& image, const Image& reference);
+
 /// Compares two images of at least one pixel; throws InputError, naming both sizes, if the sizes differ.
 Comparison compare(const Image& image, const Image& reference, const Display& display = {});
 

@@ -130,11 +130,12 @@ std::pair<Ray, Stream> first_sample(const World& world, int x, int y) {
 
 }  // namespace
 
-ordered_json ray_tree(const Scene& scene, int x, int y) {
+ordered_json ray_tree(const Scene& scene, int x, int y) { return ray_tree(scene, compile(scene), x, y); }
+
+ordered_json ray_tree(const Scene& scene, const World& world, int x, int y) {
     if (x < 0 || y < 0 || x >= scene.width || y >= scene.height)
         throw InputError(
             fmt::format("pixel ({}, {}) is outside the picture of {} × {}", x, y, scene.width, scene.height));
-    const World world = compile(scene);
     const bool sampled = world.needs.distribution;
     auto [ray, stream] =
         sampled ? first_sample(world, x, y) : std::pair{pixel_ray(world.view, x + 0.5, y + 0.5), Stream()};

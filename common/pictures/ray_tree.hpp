@@ -2,6 +2,8 @@
 #pragma once
 
 #include "common/scene/scene.hpp"
+#include "common/terminal/console.hpp"
+#include "common/world/world.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -19,6 +21,15 @@ inline constexpr std::size_t most_rays = 10'000;
 /// numbers each sample has a tree of its own: it is that of the pixel's first one. Throws InputError if the
 /// picture has no such pixel.
 nlohmann::ordered_json ray_tree(const Scene& scene, int x, int y);
+
+/// The same of a scene that is compiled: for many pixels.
+nlohmann::ordered_json ray_tree(const Scene& scene, const World& world, int x, int y);
+
+/// Ray `index` of the list "rays" as lines, indented by its depth, what it is in this tone.
+std::string ray_text(const nlohmann::ordered_json& rays, std::size_t index, Tone heading = Tone::Plain);
+
+/// The whole tree as lines.
+std::string tree_text(const nlohmann::ordered_json& tree, Tone heading = Tone::Plain);
 
 /// Ray `index` of the list "rays" on standard output, indented by its depth.
 void print_ray(const nlohmann::ordered_json& rays, std::size_t index);

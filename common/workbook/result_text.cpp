@@ -1,6 +1,7 @@
 // How results are shown: a line a step, one next action, and the same as JSON.
 #include "common/workbook/result_text.hpp"
 
+#include "common/image/whole_file.hpp"
 #include "common/math/counted.hpp"
 #include "common/terminal/console.hpp"
 #include "common/workbook/exercise.hpp"
@@ -11,6 +12,8 @@
 #include <nlohmann/json.hpp>
 
 namespace rt {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -28,6 +31,27 @@ std::string test_named_in(const std::string& message) {
     if (quoted == std::string::npos || !first.ends_with('"')) return first;
     const std::size_t begin = quoted + in_test.size();
     return first.substr(begin, first.size() - 1 - begin);
+}
+
+/// What is left to do when nothing is.
+std::string after_the_last(const Project& project, const std::vector<Chapter>& chapters) {
+    std::vector<std::string> challenges;
+    for (const Chapter& chapter : chapters) {
+        const fs::path lesson = project.root / "chapters" / chapter.name / "README.md";
+        if (fs::exists(lesson) && read_file(lesson).find("\n## Challenges\n") != std::string::npos)
+            challenges.push_back(chapter.number);
+    }
+    std::string text =
+        "every step has passed. Draw a scene of your own: common/scene/README.md says how, ./course "
+        "render mine.scene --preview shows it.";
+    if (!challenges.empty())
+        text += fmt::format(" The lessons of {} end with challenges.", fmt::join(challenges, ", "));
+    if (has_solutions(project))
+        text +=
+            " The gallery of all that you can draw is ./course tour, and ./course solution shows how others "
+            "write "
+            "a step.";
+    return text;
 }
 
 }  // namespace
@@ -95,9 +119,7 @@ std::string next_action(const Project& project, const std::vector<Chapter>& chap
         if (!results[i].current) return fmt::format("./course check {}", chapters[i].number);
         return next_action(chapters[i], results[i].result);
     }
-    return has_solutions(project) ? "every step has passed. ./course solution shows how others are written, "
-                                    "./course tour all the pictures"
-                                  : "every step has passed: ./course render shows what they draw";
+    return after_the_last(project, chapters);
 }
 
 nlohmann::ordered_json results_json(const std::vector<Chapter>& chapters,

@@ -117,6 +117,10 @@ expect "a chapter passes" 0 "Your picture: build/pictures/01_ray_casting/" ./cou
 expect "and draws" 0 "your code$" ./course render references/01_ray_casting/planes.scene -o mine.pfm
 "$course" render references/01_ray_casting/planes.scene --solutions --quiet -o theirs.pfm
 cmp -s mine.pfm theirs.pfm || fail "what the solutions draw"
+expect "a page of both has the rays of the student's code" 0 "^equal" ./course compare mine.pfm theirs.pfm \
+    --page page.html --scene references/01_ray_casting/planes.scene
+grep -q '"mine":"pixel (' page.html || fail "in the page"
+rm page.html
 rm mine.pfm theirs.pfm
 solve 02
 expect "with these chapters alone both pass" 0 "Chapter 02.*5 of 5 steps" ./course check 01 02

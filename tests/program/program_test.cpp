@@ -82,12 +82,17 @@ TEST_CASE("unknown commands and options get a suggestion") {
 TEST_CASE("commands that come with later chapters are not offered") {
     CHECK(course("book").status == 2);
     CHECK(course("--help").out.find("\n  book") == std::string::npos);
-    CHECK(course("check --watch").status == 2);
+}
+
+TEST_CASE("to watch takes a terminal") {
+    check_refused("check --watch", "--watch needs a terminal to show things and to take keys");
 }
 
 TEST_CASE("a command line that lacks something is refused in one line") {
-    for (const char* wrong : {"render", "hint", "compare one.png", "render x.scene --threads zero",
-                              "render x.scene --mine --solutions", "compare a b --within 300"}) {
+    for (const char* wrong :
+         {"render", "hint", "compare one.png", "render x.scene --threads zero",
+          "render x.scene --mine --solutions", "compare a b --within 300", "check --watch --json",
+          "check --watch --solutions", "compare a b --scene x.scene"}) {
         INFO("arguments := " << wrong);
         const Outcome outcome = course(wrong);
         CHECK(outcome.status == 2);
@@ -474,14 +479,16 @@ TEST_CASE("compare has a status, JSON in the documented form, and a page") {
     const Outcome outcome = course("compare dot.pfm black.pfm --json --page page.html --diff diff.png");
     CHECK(outcome.status == 1);
     const json object = json::parse(outcome.out);
-    CHECK(keys(object) ==
-          Keys{"height", "max", "mean", "psnr", "rmse", "same", "width", "within", "within16", "worst"});
+    CHECK(keys(object) == Keys{"flip", "height", "max", "mean", "psnr", "rmse", "same", "ssim", "width",
+                               "within", "within16", "worst"});
     CHECK(object["same"] == false);
     CHECK(object["max"] == 1);
     CHECK(object["worst"] == json{{"x", 2}, {"y", 1}});
     CHECK(object["within"]["2"] == Approx(10.0 / 12));
     CHECK(object["within"]["10"] == Approx(11.0 / 12));
     CHECK(keys(object["within"]) == Keys{"1", "10", "2"});
+    CHECK(object["flip"] > 0.01);
+    CHECK(object["ssim"].is_null());  // no window of 11 × 11 pixels fits into them
     CHECK(std::filesystem::file_size(in_scratch("page.html")) > 0);
     CHECK(read_image(in_scratch("diff.png")).width == 4);
 
@@ -493,6 +500,23 @@ TEST_CASE("compare has a status, JSON in the documented form, and a page") {
         "compare small.pfm black.pfm",
         "small.pfm has 2 x 2 pixels and black.pfm has 4 x 3; only images of one size can be compared");
     CHECK(course("compare none.pfm black.pfm").status == 2);
+}
+
+TEST_CASE("compare's page has rays of the scene that it is told") {
+    write_scene("rays.scene", "ambient 1 0 0\nsphere 0 0 0 1\n");
+    REQUIRE(course("render rays.scene --solutions -o rays.pfm").status == 0);
+    CHECK(course("compare rays.pfm rays.pfm --page rays.html --scene rays.scene").status == 0);
+    CHECK(read_file(in_scratch("rays.html")).find("hits the sphere of line 4") != std::string::npos);
+    write_image(in_scratch("small.pfm"), make_image(2, 2));
+    check_refused("compare small.pfm small.pfm --page rays.html --scene rays.scene",
+                  "rays.scene has 8 x 4 pixels and small.pfm has 2 x 2: it is not the scene of this picture");
+    check_refused("compare rays.pfm rays.pfm --page rays.scene --scene rays.scene",
+                  "rays.scene: cannot be written: it is 'rays.scene', which is read here");
+    CHECK(course("compare rays.pfm rays.pfm --scene rays.scene").status == 2);
+    const json trees = json::parse(course("trace rays.scene 4 2 --json --also '0,0 3,1'").out)["trees"];
+    REQUIRE(trees.size() == 3);
+    CHECK(trees[2]["x"] == 3);
+    CHECK(trees[1]["rays"][0]["hit"] == false);
 }
 
 TEST_CASE("compare judges pictures of 8 bits by their 8 bits") {

@@ -4,6 +4,7 @@
 #include "common/workbook/causes.hpp"
 #include "common/workbook/check.hpp"
 #include "common/workbook/drift.hpp"
+#include "common/workbook/next_step.hpp"
 #include "common/workbook/result_text.hpp"
 #include "tests/catch.hpp"
 #include "tests/program/sandbox.hpp"
@@ -191,7 +192,41 @@ TEST_CASE("there is one next action") {
     known[0].current = false;
     CHECK(next() == "./course check 02");
     known[0] = {{"02_spheres", "", {{"02.1", State::Passed, ""}, {"02.2", State::Passed, ""}}}, true};
-    CHECK(next().find("every step has passed") == 0);
+    CHECK(next().find("every step has passed. Draw a scene of your own") == 0);
+    CHECK(next().find("./course tour") != std::string::npos);
+    CHECK(next().find("challenge") == std::string::npos);
+    test::write(tree.project.root / "chapters/02_spheres/README.md",
+                "# Spheres\n\n## Challenges\n\n1. A torus.\n");
+    CHECK(next().find("The lessons of 02 end with challenges.") != std::string::npos);
+}
+
+TEST_CASE("the next step is one that has not passed, from where one is on and round") {
+    std::vector<Chapter> chapters(2);
+    std::vector<KnownResult> known(2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        chapters[i].number = std::to_string(i + 1);
+        for (const char* step : {".1", ".2", ".3"})
+            chapters[i].steps.push_back({chapters[i].number + step, "", "", 1, {}});
+        known[i] = {all_todo(chapters[i]), true};
+    }
+    const auto pass = [&](std::size_t chapter, std::size_t step) {
+        known[chapter].result.steps[step].state = State::Passed;
+    };
+    const auto after = [&](std::size_t chapter, std::size_t step) {
+        const auto next = next_step(chapters, known, {&chapters[chapter], &chapters[chapter].steps[step]});
+        return next ? next->step->id : "none";
+    };
+    CHECK(after(0, 1) == "1.2");  // it has not passed itself
+    pass(0, 1);
+    CHECK(after(0, 1) == "1.3");
+    pass(0, 2);
+    CHECK(after(0, 1) == "1.1");  // what was skipped
+    pass(0, 0);
+    CHECK(after(0, 1) == "2.1");
+    for (std::size_t i = 0; i < 3; ++i) pass(1, i);
+    CHECK(after(0, 1) == "none");
+    known[0].current = false;
+    CHECK(after(1, 2) == "1.1");  // it changed since
 }
 
 TEST_CASE("the compiler's first error is found among what a build says") {

@@ -182,6 +182,11 @@ expect "and said at every step" 1 '"state":"failed","message":"'"$exercise" ./co
 expect "other chapters are checked all the same" 1 '○ 98.1' ./course check 98 99
 expect "the next thing to do" 0 "Next:" ./course
 
+# ------------------------------------------------------------------------------------ watched at work
+
+python3 "$COURSE_ROOT/tests/program/scratch/watch.py" || failures=$((failures + 1))
+expect "no terminal, no watch" 2 "^--watch needs a terminal" build/bin/course check 98 --watch
+
 # ---------------------------------------------------------------------------------- several at once
 
 # The right code passes, however many look at it, and whatever is being built anew meanwhile.

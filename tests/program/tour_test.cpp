@@ -3,8 +3,10 @@
 #include "common/commands/commands.hpp"
 #include "common/evidence/references.hpp"
 #include "common/image/file.hpp"
+#include "common/image/worst_places.hpp"
 #include "common/math/input_error.hpp"
 #include "common/pictures/comparison_page.hpp"
+#include "common/terminal/json_text.hpp"
 #include "tests/catch.hpp"
 #include "tests/program/sandbox.hpp"
 
@@ -153,6 +155,8 @@ TEST_CASE("the tour passes a picture like its reference and fails an altered one
     CHECK(contains(page, "prefers-color-scheme: dark"));
     CHECK(contains(page, "02_spheres/one.reference.png"));
     CHECK(contains(page, "1 picture compared, all equal"));
+    CHECK(contains(page, "href=\"#02_spheres\"><img src=\"02_spheres/one.png\""));
+    CHECK(page.find("<img") < page.find("<table"));
     CHECK_FALSE(contains(page, "http"));  // nothing is loaded from elsewhere
 
     pixel(image, 12, 8) = Vec3(0);
@@ -212,7 +216,54 @@ TEST_CASE("a comparison's page holds its pictures and shows names as text", "[pa
     CHECK_FALSE(contains(page, "<mine>"));
     CHECK(contains(page, "src=\"data:image/png;base64,iVBORw0KGgo"));
     CHECK(contains(page, "<dt>at pixel</dt><dd>3, 4</dd>"));
-    CHECK_FALSE(contains(page, "http"));
+    CHECK_FALSE(contains(page, "http:"));
+    CHECK_FALSE(contains(page, "https:"));
+    CHECK(contains(page, "content=\"default-src &apos;none&apos;; img-src data:;"));
+}
+
+TEST_CASE("a comparison's page holds the rays of pixels as text", "[page]") {
+    PageExtras extras;
+    extras.scene = "</script>.scene";
+    extras.rays = {{3, 4, "hits <nothing>", "hits </script>", "First difference: hit."},
+                   {1, 2, "alike", "alike", ""}};
+    const std::string page =
+        comparison_page(halves(), halves(), compare(halves(), halves()), "a.png", "b.png", extras);
+    const std::size_t begin = page.find("id=\"data\">") + 10;
+    const auto data = read_json(page.substr(begin, page.find("</script>", begin) - begin));
+    REQUIRE_FALSE(data.is_discarded());
+    CHECK(data["scene"] == extras.scene);
+    REQUIRE(data["rays"].size() == 2);
+    CHECK(data["rays"][0]["mine"] == "hits <nothing>");
+    CHECK(data["rays"][0]["theirs"] == "hits </script>");
+    CHECK_FALSE(data["rays"][1].contains("theirs"));  // once is enough
+    CHECK(contains(page, "None: no pixel differs."));
+}
+
+TEST_CASE("rays are told of the pixels that differ most, then of some all over the picture", "[page]") {
+    Image image = halves();
+    pixel(image, 3, 4).x += 0.1;
+    pixel(image, 40, 30).x += 0.2;
+    const std::vector<PixelRays> pixels = pixels_to_trace(image, halves());
+    REQUIRE(pixels.size() == 2 + 16 * 12);
+    CHECK(pixels[0].x == 40);
+    CHECK(pixels[1].y == 4);
+    CHECK(pixels_to_trace(make_image(1, 1), make_image(1, 1)).size() == 1);
+}
+
+TEST_CASE("of places that differ most none is near another", "[page]") {
+    Image image = halves();
+    pixel(image, 3, 4).x += 0.1;
+    pixel(image, 5, 4).y -= 0.2;
+    pixel(image, 30, 4).z += 0.2;
+    const std::vector<DifferingPixel> pixels = differing_pixels(image, halves(), 10);
+    REQUIRE(pixels.size() == 3);
+    CHECK(pixels.front().x == 5);  // of equal ones the first
+    const std::vector<DifferingPixel> worst = worst_places(pixels, 10, 3);
+    REQUIRE(worst.size() == 2);
+    CHECK(worst[1].x == 30);
+    CHECK(worst_places(pixels, 10, 2).size() == 3);
+    CHECK(worst_places(pixels, 1, 2).size() == 1);
+    CHECK(differing_pixels(image, halves(), 2).size() == 2);
 }
 
 TEST_CASE("the gain of a difference grows as the difference shrinks", "[page]") {
