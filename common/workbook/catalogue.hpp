@@ -14,11 +14,11 @@ struct Step {
     std::string title;
     std::string file;  ///< of the exercise, in the chapter's directory
     int points = 0;
-    std::string picture;  ///< that shows it best: one of the chapter's scenes or a drawing (common/pictures);
-                          ///< or empty
     std::vector<std::string> hints;  ///< at least three, from a nudge to nearly the answer
-    std::vector<std::string>
-        uses{};  ///< earlier steps: while one of them is wrong, this one may fail for that
+    /// Earlier steps: while one of them is wrong, this one may fail for that.
+    std::vector<std::string> uses{};
+    /// What shows it best: one of the chapter's scenes or a drawing (common/pictures/drawings.cpp); or empty.
+    std::string picture{};
 };
 
 struct Chapter {
