@@ -283,7 +283,8 @@ BuildResult build_mine(const Project& project, const OwnCode& own) {
         ProcessOptions options = for_cmake(project);
         options.while_waiting = [&] { progress.update(0); };
         const ProcessResult result = run_process(
-            {"cmake", "-DCOURSE_MINE=" + numbers, "-DCOURSE_FILLED=" + filled, project.build.string()}, options);
+            {"cmake", "-DCOURSE_MINE=" + numbers, "-DCOURSE_FILLED=" + filled, project.build.string()},
+            options);
         if (!succeeded(result)) return {false, printable(first_error(project, result.output)), result.output};
     }
     return build_locked(project, {"course_mine"}, label);
