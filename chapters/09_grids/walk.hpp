@@ -30,7 +30,8 @@ Boundaries boundaries_along(const GridShape& shape, const Ray& ray, int axis);
 /// [09.10] The cell along axis number `axis`, from 0 to cells − 1, in which the ray is at t, by the
 /// boundaries that 09.9 computes: a ray that goes up comes from cell 0, one that goes down from the last,
 /// and at t it has gone on by a cell for each boundary between two cells that it meets at t or before. One
-/// that meets no boundaries is in the cell of its origin, or the one next to it.
+/// that meets no boundaries is in the cell of its origin (at a boundary, up to rounding, in either beside
+/// it), or in the first or the last if it starts outside.
 int cell_at(const GridShape& shape, const Ray& ray, int axis, const Boundaries& boundaries, Real t);
 
 /// [09.11] The cells along the ray in order, from the first that it is in within `range` and the box

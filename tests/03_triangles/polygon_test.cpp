@@ -1,4 +1,4 @@
-// Steps 03.1 and 03.2: the plane of a polygon, inside or outside, and the hit.
+// Steps 03.1, 03.2 and 03.10: the plane of a polygon, inside or outside, and the hit.
 #include "chapters/03_triangles/polygon.hpp"
 #include "common/math/error.hpp"
 #include "tests/03_triangles/show.hpp"

@@ -282,8 +282,7 @@ TEST_CASE("exchanging the ends of an edge changes the sign and nothing else", "[
 // ---------------------------------------------------------------------------------------------- 03.6
 
 TEST_CASE("where a ray hits, by the corners that it sees", "[03.6]") {
-    // The triangle's edge functions are 2 for a, 2 for b and 4 for c: weights of a quarter, a quarter, a
-    // half.
+    // The edge functions are −1 for a, −1 for b and −2 for c: weights of a quarter, a quarter and a half.
     const Vec3 a(-1, -1, 6), b(1, -1, 10), c(0, 1, 4);
     const ShearedRay ray{.ray = {{7, 8, 9}, {0, 0, 2}}};
     INFO("along a ray with the direction (0, 0, 2), the corners are seen at a = "
@@ -314,7 +313,7 @@ TEST_CASE("the depth counts along the axis that is called z", "[03.6]") {
     CHECK(test::near(hit->uv, {0.25, 0.25}, 0));
 }
 
-TEST_CASE("an edge or a corner that the ray passes through weighs nothing of the others", "[03.6]") {
+TEST_CASE("where the ray passes through an edge or a corner, the corners beside it weigh nothing", "[03.6]") {
     const ShearedRay ray{.ray = {{0, 0, 0}, {0, 0, 1}}};
     const auto check = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec2& uv) {
         INFO("the corners are seen at a = " << a << ", b = " << b << " and c = " << c

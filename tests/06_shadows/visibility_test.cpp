@@ -57,6 +57,12 @@ TEST_CASE("light is multiplied by the transmission where it enters and where it 
     check_part(things, 10, {0.25, 1, 0.0625});
 }
 
+TEST_CASE("behind clear glass the rest still counts", "[06.4]") {
+    const Thing clear = ball_at(3, Vec3(1)), red = ball_at(6, {1, 0.5, 0.5});
+    check_part({clear, red}, 10, {1, 0.25, 0.25});
+    check_part({clear, ball_at(6)}, 10, Vec3(0));
+}
+
 TEST_CASE("a lamp inside of a ball has one wall to cross, one before it none", "[06.4]") {
     const std::vector<Thing> things = {ball_at(5, {0.5, 1, 0.25})};
     check_part(things, 5, {0.5, 1, 0.25});

@@ -279,6 +279,8 @@ TEST_CASE("an empty area has no sums, and a film without samples is black", "[08
     INFO("how many pixels there are of an area without width, of one without height, and of 2 x 2");
     CHECK(film_of({&one, 1}, tent, {2, 1, 2, 3}).size() == 0);
     CHECK(film_of({&one, 1}, tent, {2, 3, 5, 3}).size() == 0);
+    CHECK(film_of({&one, 1}, tent, {3, 0, 1, 2}).size() == 0);
+    CHECK(film_of({&one, 1}, tent, {0, 3, 2, 1}).size() == 0);
     const std::vector<FilmPixel> film = film_of({}, mitchell, {2, 1, 4, 3});
     REQUIRE(film.size() == 4);
     for (const FilmPixel& pixel : film) CHECK(color_of(pixel) == Vec3(0));

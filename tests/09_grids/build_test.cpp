@@ -122,7 +122,10 @@ void check_listed(const GridShape& shape, const CellBlock& block, const Overlaps
 /// The lists, a vector for each cell.
 void check_lists(const CellLists& lists, const std::vector<std::vector<std::uint32_t>>& expected) {
     {
-        INFO("how many numbers `first` has, one more than cells; and how many items there are at most");
+        INFO(
+            "how many numbers `first` has, one more than cells; and how many items there are, at least as "
+            "many "
+            "as the greatest of them");
         REQUIRE(lists.first.size() == expected.size() + 1);
         REQUIRE(lists.items.size() >= *std::ranges::max_element(lists.first));
     }

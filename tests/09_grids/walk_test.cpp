@@ -131,7 +131,9 @@ TEST_CASE("where division rounds to the wrong side of a boundary, the boundary i
         INFO(n << " cells, boundary i is met at t = " << all.t0 << " + i * " << all.delta
                << ", as it is computed: " << passed << " of those between two cells are met up to t = " << t
                << "; the cell there, going " << (up ? "up" : "down"));
-        REQUIRE(cell_at(unit_cells({n, 1, 1}), Ray{}, 0, all, t) == (up ? passed : n - 1 - passed));
+        const Real slope = 1 / all.delta;
+        const Ray ray{{-all.t0 * slope, 0.5, 0.5}, {slope, 0, 0}};
+        REQUIRE(cell_at(unit_cells({n, 1, 1}), ray, 0, all, t) == (up ? passed : n - 1 - passed));
     }
 }
 
