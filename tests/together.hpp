@@ -12,7 +12,8 @@ inline void (*together_elsewhere)(std::size_t count, const std::function<void(st
 
 /// Does job(0), job(1) and so on, `count` jobs. Each begins after the one before it has begun, but may wait
 /// in a call of a function under test until others have come to theirs: so no job uses what another has
-/// found, asserts or has an INFO. What a job throws comes out, of several that throw the first's.
+/// found, asserts, has an INFO or starts a thread. What a job throws comes out, of several that throw the
+/// first's.
 template <class Job>
 void together(std::size_t count, Job job) {
     if (together_elsewhere) return together_elsewhere(count, job);

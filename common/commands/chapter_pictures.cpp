@@ -5,6 +5,7 @@
 #include "common/image/compare.hpp"
 #include "common/image/file.hpp"
 #include "common/image/in_terminal.hpp"
+#include "common/math/input_error.hpp"
 #include "common/math/stopwatch.hpp"
 #include "common/pictures/drawings.hpp"
 #include "common/pictures/step_picture.hpp"
@@ -55,7 +56,8 @@ std::optional<Image> drawn(const Project& project, const Chapter& chapter, const
     std::vector<std::string> arguments = words_of(shown);
     arguments.insert(arguments.begin(), "--picture");
     arguments.push_back(file.string());
-    if (!ask_code(project, chapter, arguments, seconds)) return std::nullopt;
+    fs::remove(file);  // of the time before
+    if (!ask_code(project, chapter, arguments, seconds) || !fs::exists(file)) return std::nullopt;
     return read_image(file);
 }
 
@@ -66,7 +68,8 @@ std::optional<ordered_json> behind(const Project& project, const Chapter& chapte
     std::vector<std::string> arguments = words_of(shown);
     arguments.insert(arguments.begin(), "--pixel");
     arguments.insert(arguments.end(), {std::to_string(x), std::to_string(y), file.string()});
-    if (!ask_code(project, chapter, arguments, one_second)) return std::nullopt;
+    fs::remove(file);
+    if (!ask_code(project, chapter, arguments, one_second) || !fs::exists(file)) return std::nullopt;
     const ordered_json json = read_ordered_json(read_file(file));
     return json.is_discarded() ? std::nullopt : std::optional(json);
 }
@@ -81,18 +84,34 @@ Shown small(const fs::path& scene, int part) {
     return {scene.string(), std::max(1, read.width / part), std::max(1, read.height / part)};
 }
 
+/// Something to show: a drawing, or a scene in a part of its size, which is not read before it is its turn.
+struct Candidate {
+    std::string what;
+    int part = 0;  ///< 0 of a drawing
+};
+
 /// What may show a mistake in a step, the best first: its own picture, small and large, then all of the
 /// chapter's. In a handout there is only POV-Ray's picture to compare with.
-std::vector<Shown> pictures_of(const Project& project, const Chapter& chapter, const Step& step) {
-    std::vector<Shown> pictures;
+std::vector<Candidate> pictures_of(const Project& project, const Chapter& chapter, const Step& step) {
+    std::vector<Candidate> pictures;
     const bool is_scene = step.picture.ends_with(".scene");
     const int part = has_solutions(project) ? times_smaller : 1;
-    if (is_scene) pictures.push_back(small(scene_path(project, chapter, step.picture), part));
+    if (is_scene) pictures.push_back({step.picture, part});
     if (!step.picture.empty() && !is_scene && has_solutions(project)) pictures.push_back({step.picture});
     for (const std::string& name : chapter.scenes)
-        if (name != step.picture) pictures.push_back(small(scene_path(project, chapter, name), part));
-    if (is_scene && part > 1) pictures.push_back(small(scene_path(project, chapter, step.picture), 1));
+        if (name != step.picture) pictures.push_back({name, part});
+    if (is_scene && part > 1) pictures.push_back({step.picture, 1});
     return pictures;
+}
+
+/// Nothing where the scene cannot be read.
+std::optional<Shown> shown_of(const Project& project, const Chapter& chapter, const Candidate& candidate) {
+    if (candidate.part == 0) return Shown{candidate.what};
+    try {
+        return small(scene_path(project, chapter, candidate.what), candidate.part);
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
 }
 
 /// The picture as it should be.
@@ -116,14 +135,15 @@ bool is_seen(const Project& project, const Comparison& comparison) {
 
 std::optional<Seen> first_seen(const Project& project, const Chapter& chapter, const Step& step) {
     const Stopwatch watch;
-    for (const Shown& shown : pictures_of(project, chapter, step)) {
+    for (const Candidate& candidate : pictures_of(project, chapter, step)) {
         if (watch.seconds() > all_seconds) break;
-        std::optional<Image> mine = drawn(project, chapter, shown, one_second);
-        std::optional<Image> theirs = mine ? expected(project, shown) : std::nullopt;
+        const std::optional<Shown> shown = shown_of(project, chapter, candidate);
+        std::optional<Image> mine = shown ? drawn(project, chapter, *shown, one_second) : std::nullopt;
+        std::optional<Image> theirs = mine ? expected(project, *shown) : std::nullopt;
         if (!theirs) continue;
         const Comparison comparison = compare(*mine, *theirs);
         if (is_seen(project, comparison))
-            return Seen{shown, std::move(*mine), std::move(*theirs), comparison};
+            return Seen{*shown, std::move(*mine), std::move(*theirs), comparison};
     }
     return std::nullopt;
 }

@@ -115,7 +115,7 @@ void add_rays(const CompareCommand& command, const Scene& scene, const Image& im
         theirs.push_back(ray_tree(scene, world, pixel.x, pixel.y));
         theirs.back()["scene"] = extras.scene;
     }
-    // In a handout this is the student's program already.
+    // In a handout this program is linked with the student's code: its trees are theirs.
     if (linked_chapters()) mine.swap(theirs);
     const Project project = this_project();
     const std::vector<Chapter> chapters = read_catalogue(project);

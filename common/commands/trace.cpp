@@ -22,9 +22,14 @@ using nlohmann::ordered_json;
 
 namespace {
 
-ordered_json tree_of(const TraceCommand& command) {
+Scene scene_of(const TraceCommand& command) {
     Scene scene = read_scene(command.scene, command.lenient);
     if (!command.size.empty()) set_size(scene, command.size);
+    return scene;
+}
+
+ordered_json tree_of(const TraceCommand& command) {
+    const Scene scene = scene_of(command);
     ordered_json tree = ray_tree(scene, command.x, command.y);
     tree["scene"] = command.scene.string();
     return tree;
@@ -32,7 +37,7 @@ ordered_json tree_of(const TraceCommand& command) {
 
 /// The trees of more pixels than one, which nobody reads.
 void print_trees(const TraceCommand& command) {
-    const Scene scene = read_scene(command.scene, command.lenient);
+    const Scene scene = scene_of(command);
     const World world = compile(scene);
     auto trees = ordered_json::array();
     trees.push_back(ray_tree(scene, world, command.x, command.y));

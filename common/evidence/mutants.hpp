@@ -1,5 +1,5 @@
-// Mutants of a solution: each differs from it at one place, as a slip of the pen would. What tests do not
-// notice one, they do not test that place (Richard A. DeMillo, Richard J. Lipton, Frederick G. Sayward,
+// Mutants of a solution: each differs from it at one place, as a slip of the pen would. Tests that do not
+// notice one do not test that place (Richard A. DeMillo, Richard J. Lipton, Frederick G. Sayward,
 // 'Hints on Test Data Selection: Help for the Practicing Programmer', Computer 11 (1978), 34–41).
 #pragma once
 
@@ -25,10 +25,9 @@ struct Mutant {
 /// Changed are operators (`<` to `<=` and `>=`, `+` to `-`, `&&` to `||` …), numbers (one more, one less; a
 /// fraction is doubled), the conditions of `if`, `while`, `for` and `?:` (always true, always false),
 /// neighbours in lists of arguments, names that have an opposite (min and max, sin and cos, x and y), calls
-/// (`sqrt(x)` to
-/// `(x)`) and statements (left out; `v.reserve(n)` only saves
-/// time and stays as it is). Not all that are made compile. Relies on the layout of clang-format:
-/// only operators between two operands have blanks on both sides.
+/// (`sqrt(x)` to `(x)`) and statements (left out; `v.reserve(n)` only saves time and stays as it is). Not all
+/// that are made compile. Relies on the layout of clang-format: only operators between two operands have
+/// blanks on both sides.
 std::vector<Mutant> mutants_of(std::string_view solution, const std::string& file);
 
 /// The whole file as the mutant has it.

@@ -18,7 +18,9 @@ ordered_json to_json(const Cells& v) { return {v.x, v.y, v.z}; }
 void add_content(const Grid& grid, const Cells& cell, ordered_json& visit) {
     const Cells& cells = grid.shape.cells;
     const auto number = static_cast<std::size_t>((cell.z * cells.y + cell.y) * cells.x + cell.x);
+    if (number >= grid.first.size()) return;
     if (number < grid.inner.size() && grid.inner[number] != 0) {
+        if (grid.inner[number] > grid.grids.size()) return;
         visit["inner"] = to_json(grid.grids[grid.inner[number] - 1].shape.cells);
         return;
     }

@@ -51,12 +51,15 @@ Makers operator+(Makers a, const Makers& b) {
     return a;
 }
 
+/// What takes part where a ray meets a triangle.
+const Makers triangle_hits{"03.4", "03.5", "03.6", "03.7", "03.9"};
+
 /// Where a ray meets a shape of this name.
 Makers makers_of_hit(const std::string& shape) {
     if (shape == "sphere") return {"02.1", "02.2", "02.3", "02.5"};
     if (shape == "plane") return {"01.4", "01.5"};
-    if (shape == "polygon") return {"03/polygon.cpp", "03/triangle.cpp"};
-    if (shape == "triangle" || shape == "mesh") return {"03/triangle.cpp"};
+    if (shape == "polygon") return {"03/polygon.cpp", "03.4"};
+    if (shape == "triangle" || shape == "mesh") return triangle_hits;
     return {"10"};
 }
 
@@ -65,7 +68,7 @@ Makers makers_of_surface(const std::string& shape) {
     if (shape == "sphere") return {"02.4", "04"};
     if (shape == "plane") return {"01.4", "04"};
     if (shape == "polygon") return {"03/polygon.cpp", "04"};
-    if (shape == "triangle" || shape == "mesh") return {"03.3", "03/triangle.cpp", "04"};
+    if (shape == "triangle" || shape == "mesh") return {"03.3", "03.8", "04"};
     return {"10", "04"};
 }
 
@@ -206,9 +209,8 @@ std::optional<TraceDifference> difference_of_light(const ordered_json& ray, cons
     const bool has_extent = !name.starts_with("point light") && !name.starts_with("light from the direction");
     const Makers sample = has_extent ? Makers{"12"} : Makers{"05.1"};
     const Makers lobe = b.contains("lobe") ? makers_of_lobe(ray) : Makers{};
-    const Makers shadow =
-        Makers{"06", "01.4", "02.1", "02.2", "02.3", "02.5", "03/triangle.cpp", "03/polygon.cpp", "10"} +
-        all_hits;
+    const Makers shadow = Makers{"06", "01.4", "02.1", "02.2", "02.3", "02.5", "03/polygon.cpp", "10"} +
+                          triangle_hits + all_hits;
     const std::tuple<const char*, const char*, Makers> quantities[] = {
         {"direction", "direction to", sample},
         {"distance", "distance to", sample},

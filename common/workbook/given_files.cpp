@@ -83,12 +83,12 @@ std::vector<ChangedGiven> changed_given(std::string_view status) {
     while (!status.empty()) {
         const std::size_t letter_end = status.find('\0');
         if (letter_end == std::string_view::npos) break;
-        const bool missing = status.starts_with('D');
+        const bool missing = status.starts_with('D'), added = status.starts_with('A');  // theirs
         status.remove_prefix(letter_end + 1);
         const std::size_t path_end = std::min(status.find('\0'), status.size());
         const std::string path(status.substr(0, path_end));
         status.remove_prefix(std::min(path_end + 1, status.size()));
-        if (is_given(path, missing)) changed.push_back({path, missing});
+        if (!added && is_given(path, missing)) changed.push_back({path, missing});
     }
     return changed;
 }

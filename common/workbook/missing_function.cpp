@@ -103,7 +103,8 @@ std::optional<Declared> declared_in(std::string_view header, std::string_view li
     for (std::size_t at = find_declaration(header, name, 0); at != std::string_view::npos;
          at = find_declaration(header, name, header.find('\n', at))) {
         const std::string_view text = header.substr(at, header.find(';', at) - at);
-        if (has_in_order(text.substr(text.find('(')), types))
+        const std::size_t open = std::min(text.find('('), text.size());
+        if (has_in_order(text.substr(open), types))
             return Declared{nullptr, step_in(comment_before(header, at)), in_one_line(text)};
     }
     return std::nullopt;

@@ -4,6 +4,7 @@
 #include "common/image/whole_file.hpp"
 #include "common/workbook/exercise.hpp"
 #include "common/workbook/functions.hpp"
+#include "common/workbook/lexemes.hpp"
 #include "common/workbook/results.hpp"
 #include "common/workbook/solutions.hpp"
 
@@ -20,6 +21,20 @@ namespace {
 
 std::string todo_call(std::string_view step) { return "todo(\"" + std::string(step) + "\")"; }
 
+/// Whether code calls todo, for this step if one is given; in comments it may stand.
+bool waits(std::string_view code, std::string_view step = "") {
+    const std::vector<Lexeme> all = lexemes_of(code);
+    for (std::size_t i = 0; i + 2 < all.size(); ++i)
+        if (all[i].is("todo") && all[i + 1].is("(") && all[i + 2].kind == Lexeme::Kind::Quoted &&
+            (step.empty() || all[i + 2].text == fmt::format("\"{}\"", step)))
+            return true;
+    return false;
+}
+
+std::string_view text_of(const std::string& file, const FunctionText& function) {
+    return std::string_view(file).substr(function.begin, function.end - function.begin);
+}
+
 /// What a file of the exercise says; empty if it is missing.
 std::string text_of(const Project& project, const Chapter& chapter, const std::string& file) {
     const fs::path path = project.root / "chapters" / chapter.name / file;
@@ -31,9 +46,7 @@ bool is_begun(const std::string& mine, const std::string& pristine, const std::s
     const std::vector<FunctionText> functions = functions_with(pristine, todo_call(step));
     return std::any_of(functions.begin(), functions.end(), [&](const FunctionText& function) {
         const auto found = find_function(mine, function.signature);
-        return !found ||
-               std::string_view(mine).substr(found->begin, found->end - found->begin).find(todo_call(step)) ==
-                   std::string_view::npos;
+        return !found || !waits(text_of(mine, *found), step);
     });
 }
 
@@ -79,7 +92,7 @@ OwnCode own_code(const Project& project, const std::vector<Chapter>& chapters) {
         if (steps.empty()) continue;
         const std::vector<std::string> files = exercise_files(project, chapter);
         const bool is_whole = std::none_of(files.begin(), files.end(), [&](const std::string& file) {
-            return text_of(project, chapter, file).find("todo(\"") != std::string::npos;
+            return waits(text_of(project, chapter, file));
         });
         if (is_whole)
             own.whole.push_back(&chapter);
@@ -102,9 +115,7 @@ std::string filled_text(const std::string& mine, const std::string& pristine, co
     std::vector<FunctionText> missing;  // in the student's file
     for (const FunctionText& function : functions_with(pristine, "todo(\"")) {
         const auto found = find_function(mine, function.signature);
-        if (found &&
-            mine.substr(found->begin, found->end - found->begin).find("todo(\"") != std::string::npos)
-            missing.push_back(*found);
+        if (found && waits(text_of(mine, *found))) missing.push_back(*found);
     }
     std::ranges::sort(missing, std::greater(), &FunctionText::begin);  // the last first
     for (const FunctionText& function : missing) {

@@ -1,6 +1,7 @@
 // What a student's code prints while its tests run.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,7 +11,8 @@ namespace rt {
 /// What was printed during one test.
 struct Printed {
     std::string test;                ///< its name; empty for what came before the first
-    std::vector<std::string> lines;  ///< at least one; whatever bytes were in them, as text
+    std::vector<std::string> lines;  ///< at least one, the first; whatever bytes were in them, as text
+    std::size_t more = 0;            ///< lines after those
 };
 
 /// Cuts what a test program with --watched has printed: a line with the sign 0x1e in front names the test

@@ -158,6 +158,14 @@ private:
     Stopwatch watch;
 };
 
+int open_callbacks = 0;  // a worker waits for the results of so many
+struct OpenCallback {
+    OpenCallback() { ++open_callbacks; }
+    ~OpenCallback() { --open_callbacks; }
+    OpenCallback(const OpenCallback&) = delete;
+    OpenCallback& operator=(const OpenCallback&) = delete;
+};
+
 const Timer since_start;
 bool out_of_time = false;
 
@@ -192,6 +200,7 @@ void answer_callback(const Message& message, std::string_view name, const Callba
     if (message.number >= callbacks.size()) give_up(fmt::format("{} called back what there is not", name));
     Reader in(message.bytes);
     Writer out;
+    const OpenCallback open;
     try {
         callbacks[message.number](in, out);
     } catch (const BadBytes& error) {
@@ -264,8 +273,14 @@ void read_answers(const Message& message, std::span<Call* const> calls) {
     if (!in.at_end()) throw BadBytes("too much");
 }
 
-/// Throws NoAnswer where there is no time left, or the function did not return once.
+std::uint32_t number_with_forget(std::uint32_t number) {
+    return std::exchange(worker->forgets, false) ? number | forget : number;
+}
+
+}  // namespace
+
 void refuse_hopeless(std::uint32_t number, std::string_view name) {
+    const std::lock_guard lock(one_at_a_time);
     out_of_time = out_of_time || since_start.is_past(judge_seconds());
     if (out_of_time)
         throw NoAnswer("timed out",
@@ -273,12 +288,6 @@ void refuse_hopeless(std::uint32_t number, std::string_view name) {
     if (endless.contains(number))
         throw NoAnswer("timed out", fmt::format("{} did not return before, and {}", name, not_called_again));
 }
-
-std::uint32_t number_with_forget(std::uint32_t number) {
-    return std::exchange(worker->forgets, false) ? number | forget : number;
-}
-
-}  // namespace
 
 bool answer(std::span<Call* const> calls) {
     const std::lock_guard lock(one_at_a_time);
@@ -310,13 +319,12 @@ bool answer(std::span<Call* const> calls) {
 std::optional<std::vector<std::byte>> ask(std::uint32_t number, std::string_view name,
                                           std::span<const std::byte> arguments, const Callbacks& callbacks) {
     const std::lock_guard lock(one_at_a_time);
-    refuse_hopeless(number, name);
-    if (is_together() && callbacks.empty()) {
+    if (is_together() && callbacks.empty() && open_callbacks == 0) {
         Call call{number, {arguments.begin(), arguments.end()}, {}};
         if (!answered_together(call)) return {};
         return outcome_of(std::move(*call.answer), name);
     }
-    answer_waiting();
+    if (answer_waiting()) return {};  // what the worker knows may have changed: arguments are written anew
     if (!worker) start_worker();
     worker->channel.send(Kind::Call, number_with_forget(number), arguments);
     for (;;) {

@@ -30,6 +30,10 @@ struct NoAnswer : std::runtime_error {
 /// Functions of the judge's that a worker may call while it answers: arguments in, result out.
 using Callbacks = std::vector<std::function<void(Reader&, Writer&)>>;
 
+/// Throws NoAnswer where there is no time left for calls, or this function did not return once. Asked before
+/// arguments are written, because those are then known to the worker.
+void refuse_hopeless(std::uint32_t number, std::string_view name);
+
 /// Calls function `number` of the worker's table (answers.cpp), starting a worker where none runs. `name` is
 /// for messages. Throws what the function threw: NotImplemented, InputError, std::runtime_error; and NoAnswer
 /// where it crashed, ended the program, took too long or returned nonsense. What the callbacks throw comes
@@ -188,6 +192,7 @@ template <class R, class... P>
 R call(std::uint32_t number, std::string_view name, P&&... argument) {
     std::optional<std::vector<std::byte>> answer;
     while (!answer) {
+        refuse_hopeless(number, name);
         Outgoing outgoing;
         (write_argument(outgoing, argument), ...);
         answer = ask(number, name, outgoing.out.bytes(), outgoing.callbacks);

@@ -50,7 +50,7 @@ public:
     void run();
     bool are_one_by_one() const { return one_by_one_; }
     bool wait_for(Call& call);
-    void answer_waiting();
+    bool answer_waiting();
 
 private:
     /// One of those that are under way; one after the other.
@@ -104,11 +104,12 @@ bool Jobs::wait_for(Call& call) {
     return call.answer.has_value();
 }
 
-void Jobs::answer_waiting() {
+bool Jobs::answer_waiting() {
     std::vector<Call*> waiting;
     for (const auto& place : places_)
         if (place->call) waiting.push_back(std::exchange(place->call, nullptr));
     if (!waiting.empty() && !answer(waiting)) one_by_one_ = true;
+    return !waiting.empty();
 }
 
 void Jobs::make(Place& place, const Stack& its_stack) {
@@ -154,8 +155,6 @@ bool is_together() { return jobs && !jobs->are_one_by_one(); }
 
 bool answered_together(Call& call) { return jobs->wait_for(call); }
 
-void answer_waiting() {
-    if (jobs) jobs->answer_waiting();
-}
+bool answer_waiting() { return jobs && jobs->answer_waiting(); }
 
 }  // namespace rt::grading

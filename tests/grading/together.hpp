@@ -25,8 +25,8 @@ bool is_together();
 /// one.
 bool answered_together(Call& call);
 
-/// Has the calls answered that wait, if any, so that another can be made now.
-void answer_waiting();
+/// Has the calls answered that wait, so that another can be made now; whether there were any.
+bool answer_waiting();
 
 /// Has the worker answer calls in one message; whether it did (judge.cpp).
 bool answer(std::span<Call* const> calls);

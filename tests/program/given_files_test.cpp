@@ -44,6 +44,8 @@ TEST_CASE("what a student may change is no change of the course") {
     test::write(clone.project.root / "chapters/02_spheres/README.md", "The lesson, and my notes.\n");
     test::write(clone.project.root / "chapters/02_spheres/mine.hpp", "int mine();\n");
     CHECK(clone.words().empty());
+    clone.in_git({"add", "--all"});
+    CHECK(clone.words().empty());
     // Nor is a file that was only written again.
     test::write(clone.shared, "struct Ray {};\n");
     CHECK(clone.words().empty());
