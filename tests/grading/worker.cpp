@@ -44,6 +44,16 @@ RayCounts minus(const RayCounts& a, const RayCounts& b) {
 RayCounts rays_told;
 SearchCounts searches_told;
 
+/// Sends it, or in words that it is too long.
+void send(const Outcome& outcome) {
+    try {
+        channel->send(outcome.kind, 0, outcome.bytes);
+    } catch (const std::exception& error) {
+        const Outcome why = in_words(Kind::Threw, error.what());
+        channel->send(why.kind, 0, why.bytes);
+    }
+}
+
 Outcome outcome_of(std::uint32_t number, std::span<const std::byte> arguments) {
     try {
         if ((number & forget) != 0) known_objects().clear();
@@ -74,14 +84,15 @@ void answer_all(const Message& calls) {
         out(static_cast<std::uint64_t>(outcome.bytes.size()));
         out.raw(outcome.bytes.data(), outcome.bytes.size());
     }
-    channel->send(Kind::Answers, 0, out.bytes());
+    const std::span<const std::byte> bytes = out.bytes();
+    send({Kind::Answers, {bytes.begin(), bytes.end()}});
 }
 
 void answer(const Message& message) {
     if (message.kind == Kind::Calls) return answer_all(message);
     const std::uint32_t callbacks_outside = callbacks;
     const Outcome outcome = outcome_of(message.number, message.bytes);
-    channel->send(outcome.kind, 0, outcome.bytes);
+    send(outcome);
     callbacks = callbacks_outside;
 }
 
