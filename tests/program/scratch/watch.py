@@ -29,6 +29,7 @@ class Terminal:
         self.process, self.descriptor = pty.fork()
         if self.process == 0:
             os.environ.update({"TERM": "xterm", "NO_COLOR": "1"})
+            signal.signal(signal.SIGINT, signal.SIG_DFL)  # as in a terminal, also where the tests run in the background
             os.execv("build/bin/course", ["course", "check", *arguments])
         self.resize(24, 80)
         self.screen = ""
