@@ -1,6 +1,7 @@
 // What `course check` shows of a chapter: its picture, or one in which a mistake can be seen.
 #include "common/commands/chapter_pictures.hpp"
 
+#include "common/commands/student_trees.hpp"
 #include "common/evidence/agreement.hpp"
 #include "common/image/compare.hpp"
 #include "common/image/file.hpp"
@@ -170,15 +171,6 @@ bool shows_true_colors() {
 std::string color_in_words(const Image& image, int x, int y) {
     const Vec3& color = pixel(image, x, y);
     return fmt::format("({:.4g}, {:.4g}, {:.4g})", color.x, color.y, color.z);
-}
-
-/// The steps of the chapter that failed: all that can be wrong in a program that is linked with the solutions
-/// of the others.
-std::vector<WrongStep> wrong_steps(const Chapter& chapter, const ChapterResult& result) {
-    std::vector<WrongStep> wrong;
-    for (const StepResult& step : result.steps)
-        if (step.state == State::Failed) wrong.push_back({step.id, step_of(chapter, step.id).file});
-    return wrong;
 }
 
 /// What is wrong at the worst pixel: "your normal is (0, -0.8, 0.6), expected (0, 0.8, 0.6) – step 02.4".

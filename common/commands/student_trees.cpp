@@ -57,12 +57,18 @@ std::vector<ordered_json> student_trees(const Project& project, const OwnCode& o
     return told["trees"].get<std::vector<ordered_json>>();
 }
 
+std::vector<WrongStep> wrong_steps(const Chapter& chapter, const ChapterResult& result) {
+    std::vector<WrongStep> wrong;
+    for (const StepResult& step : result.steps)
+        if (step.state == State::Failed) wrong.push_back({step.id, step_of(chapter, step.id).file});
+    return wrong;
+}
+
 std::vector<WrongStep> wrong_steps(const Project& project, const std::vector<Chapter>& chapters) {
     std::vector<WrongStep> wrong;
     const std::vector<ChapterResult> results = checked_results(project, chapters);
     for (std::size_t i = 0; i < chapters.size(); ++i)
-        for (const StepResult& step : results[i].steps)
-            if (step.state == State::Failed) wrong.push_back({step.id, step_of(chapters[i], step.id).file});
+        for (const WrongStep& step : wrong_steps(chapters[i], results[i])) wrong.push_back(step);
     return wrong;
 }
 

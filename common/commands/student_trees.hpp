@@ -5,6 +5,7 @@
 #include "common/terminal/project.hpp"
 #include "common/workbook/catalogue.hpp"
 #include "common/workbook/own_code.hpp"
+#include "common/workbook/results.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -27,6 +28,9 @@ struct TracedScene {
 std::vector<nlohmann::ordered_json> student_trees(const Project& project, const OwnCode& own,
                                                   const TracedScene& traced,
                                                   const std::vector<std::pair<int, int>>& pixels);
+
+/// The steps of a chapter that failed.
+std::vector<WrongStep> wrong_steps(const Chapter& chapter, const ChapterResult& result);
 
 /// The student's steps that fail their tests, those that changed checked again.
 std::vector<WrongStep> wrong_steps(const Project& project, const std::vector<Chapter>& chapters);

@@ -2,6 +2,7 @@
 #include "common/evidence/mutants.hpp"
 
 #include "common/workbook/exercise.hpp"
+#include "common/workbook/functions.hpp"
 #include "common/workbook/lexemes.hpp"
 
 #include <algorithm>
@@ -51,20 +52,6 @@ struct Range {
     std::size_t first = 0, last = 0;
     bool empty() const { return first >= last; }
 };
-
-/// What stands on these characters, every run of blanks as one and none around.
-std::string in_one_line(std::string_view text) {
-    std::string line;
-    for (const char c : text) {
-        const bool blank = c == ' ' || c == '\n' || c == '\t';
-        if (!blank)
-            line += c;
-        else if (!line.empty() && line.back() != ' ')
-            line += ' ';
-    }
-    if (line.ends_with(' ')) line.pop_back();
-    return line;
-}
 
 /// Makes the mutants of one exercise, whose lexemes are `part` of the file's.
 class Mutator {

@@ -10,11 +10,6 @@ namespace {
 
 bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
-int line_at(std::string_view text, std::size_t at) {
-    return 1 +
-           static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-}
-
 std::size_t line_start(std::string_view text, std::size_t at) {
     const auto end = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
     return end == std::string_view::npos ? 0 : end + 1;
@@ -97,6 +92,24 @@ std::string_view name_in(std::string_view signature) {
 }
 
 }  // namespace
+
+int line_at(std::string_view text, std::size_t at) {
+    return 1 +
+           static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+std::string in_one_line(std::string_view text) {
+    std::string line;
+    for (const char c : text) {
+        const bool blank = c == ' ' || c == '\n' || c == '\t';
+        if (!blank)
+            line += c;
+        else if (!line.empty() && line.back() != ' ')
+            line += ' ';
+    }
+    if (line.ends_with(' ')) line.pop_back();
+    return line;
+}
 
 std::vector<FunctionText> functions_with(std::string_view text, std::string_view part) {
     std::vector<FunctionText> functions;

@@ -17,6 +17,12 @@ struct FunctionText {
     std::string signature;  ///< up to its opening brace
 };
 
+/// The number of the line in which place `at` of the text is, counted from 1.
+int line_at(std::string_view text, std::size_t at);
+
+/// The text with each run of blanks and line ends as one blank, and without those at its ends.
+std::string in_one_line(std::string_view text);
+
 /// The functions of a well-formatted file (as clang-format leaves it) that contain a line with `part`, in
 /// order.
 std::vector<FunctionText> functions_with(std::string_view text, std::string_view part);

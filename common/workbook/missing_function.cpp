@@ -1,6 +1,7 @@
 // A function that a chapter's contract declares and the student's files do not have: what a linker says of
 // it, in words.
 #include "common/workbook/missing_function.hpp"
+#include "common/workbook/functions.hpp"
 
 #include "common/image/whole_file.hpp"
 #include "common/math/printable.hpp"
@@ -84,16 +85,6 @@ std::string_view comment_before(std::string_view text, std::size_t begin) {
         top = above;
     }
     return text.substr(top, begin - top);
-}
-
-/// In one line, with single blanks.
-std::string in_one_line(std::string_view text) {
-    std::string line;
-    for (const char c : text) {
-        const bool blank = std::isspace(static_cast<unsigned char>(c)) != 0;
-        if (!blank || (!line.empty() && line.back() != ' ')) line += blank ? ' ' : c;
-    }
-    return line;
 }
 
 std::optional<Declared> declared_in(std::string_view header, std::string_view linker_name) {

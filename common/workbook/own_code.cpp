@@ -62,11 +62,6 @@ std::string line_directive(int line, const std::string& file) {
     return fmt::format("#line {} \"{}\"\n", line, file);
 }
 
-int line_at(std::string_view text, std::size_t at) {
-    return 1 +
-           static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-}
-
 }  // namespace
 
 std::vector<std::string> begun_steps(const Project& project, const Chapter& chapter) {
