@@ -213,6 +213,13 @@ void add_tour(CommandLine& line) {
     sub->add_option("-o,--output", line.tour.output, "directory of the page; default: build/tour");
 }
 
+void add_book(CommandLine& line) {
+    CLI::App* sub =
+        add_command(line, "book", "the lessons as a book: pages to be read in a browser, or printed", "book",
+                    [&line] { return run_book(line.directory, line.json); });
+    sub->add_option("-o,--output", line.directory, "directory of the pages; default: build/book");
+}
+
 void add_report(CommandLine& line) {
     CLI::App* sub =
         add_command(line, "report", "how wrong, how fast, and where it breaks: measured, with a page",
@@ -420,10 +427,10 @@ void describe_commands(CommandLine& line) {
         "Each command has --help.");
     // In the order of --help.
     for (void (*add)(CommandLine&) :
-         {add_check,     add_list,    add_hint,       add_reset,      add_solution, add_render,
-          add_compare,   add_explain, add_trace,      add_export,     add_tour,     add_report,
-          add_test,      add_grade,   add_similarity, add_autograder, add_handout,  add_references,
-          add_exercises, add_figures, add_mutate,     add_new})
+         {add_check,      add_list,      add_hint,    add_reset,      add_solution,   add_render,
+          add_compare,    add_explain,   add_trace,   add_export,     add_tour,       add_book,
+          add_report,     add_test,      add_grade,   add_similarity, add_autograder, add_handout,
+          add_references, add_exercises, add_figures, add_mutate,     add_new})
         add(line);
     leave_out_in_handout(line);
     refuse_empty_values(line.app);

@@ -18,6 +18,7 @@ struct CommandLine {
 
     bool json = false, all = false, spoil = false, quick = false, make = false;
     std::string step, chapter;
+    std::filesystem::path directory;
     CheckCommand check;
     RenderCommand render;
     ReportCommand report;

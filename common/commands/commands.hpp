@@ -44,6 +44,9 @@ int run_reset(const std::string& target, bool json);
 /// `course solution NN.S`: yours and the solution's; 1 before the step has passed, unless `spoil`.
 int run_solution(const std::string& step, bool spoil, bool json);
 
+/// `course book`: the lessons as a static site in a directory; empty: the build's.
+int run_book(const std::filesystem::path& directory, bool json);
+
 // ---------------------------------------------------------------- pictures
 
 struct RenderCommand {

@@ -3,6 +3,7 @@
 #include "common/terminal/process.hpp"
 #include "common/terminal/project.hpp"
 #include "common/workbook/catalogue.hpp"
+#include "common/workbook/lesson.hpp"
 #include "tests/catch.hpp"
 #include "tests/program/sandbox.hpp"
 
@@ -56,7 +57,7 @@ std::vector<fs::path> texts() {
                                 root / "common/grading/README.md", root / "common/grading/REFERENCE.md",
                                 root / "common/scene/README.md"};
     for (const auto& entry : fs::directory_iterator(root / "chapters"))
-        if (fs::exists(entry.path() / "README.md")) files.push_back(entry.path() / "README.md");
+        for (const fs::path& page : pages_of(entry.path())) files.push_back(page);
     std::ranges::sort(files);
     return files;
 }
@@ -128,6 +129,7 @@ struct Elsewhere {
 };
 constexpr Elsewhere elsewhere[] = {
     {"tour", ".ci/run", "./course --yes tour"},
+    {"book", "tests/program/browser/book.py", "\"book\", \"-o\""},
     {"test", ".ci/run", "./course --yes test"},
     {"report", ".ci/run", "./course --yes report --quick"},
     {"references", ".ci/run", "./course --yes references"},

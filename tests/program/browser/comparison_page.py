@@ -9,8 +9,8 @@ import re
 import subprocess
 import sys
 import tempfile
-import time
-import urllib.request
+
+from browser import END, ENTER, LEFT, RIGHT, TAB, UP, Browser, check, summary
 
 ROOT, BUILD = pathlib.Path(os.environ["COURSE_ROOT"]), pathlib.Path(os.environ["COURSE_BUILD"])
 SCENE = """version 1
@@ -21,75 +21,6 @@ point 2 5 5 1 1 1
 diffuse {color}
 sphere 0 0 0 1
 """
-passed = failed = 0
-
-
-def check(name, what, expected):
-    global passed, failed
-    good = expected(what) if callable(expected) else what == expected
-    passed, failed = passed + good, failed + (not good)
-    if not good:
-        print(f"FAILED: {name}: {what!r}" + ("" if callable(expected) else f", expected {expected!r}"))
-
-
-class Browser:
-    """As much of WebDriver (W3C) as is needed here."""
-
-    ELEMENT = "element-6066-11e4-a52e-4f735466cecf"
-
-    def __init__(self):
-        self.driver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE, text=True)
-        for line in self.driver.stdout:
-            if found := re.search(r"successfully on port (\d+)", line):
-                self.url = f"http://127.0.0.1:{found[1]}/session"
-                break
-        options = {"args": ["--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1200,2000"]}
-        self.url += "/" + self.ask("", {"capabilities": {"alwaysMatch": {
-            "browserName": "chrome", "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}}})["sessionId"]
-
-    def ask(self, path, body=None):
-        data = None if body is None else json.dumps(body).encode()
-        with urllib.request.urlopen(urllib.request.Request(self.url + path, data)) as answer:
-            return json.load(answer)["value"]
-
-    def run(self, script):
-        return self.ask("/execute/sync", {"script": script, "args": []})
-
-    def element(self, css):
-        return "/element/" + self.ask("/element", {"using": "css selector", "value": css})[self.ELEMENT]
-
-    def text(self, css):
-        return self.ask(self.element(css) + "/text")
-
-    def keys(self, text):
-        self.ask("/actions", {"actions": [{"type": "key", "id": "keys", "actions": [
-            {"type": kind, "value": key} for key in text for kind in ("keyDown", "keyUp")]}]})
-
-    def click(self, css, x, y):
-        """At a place that is so many CSS pixels from the element's middle."""
-        element = {self.ELEMENT: self.element(css).rsplit("/", 1)[1]}
-        self.ask("/actions", {"actions": [{"type": "pointer", "id": "mouse", "actions": [
-            {"type": "pointerMove", "origin": element, "x": x, "y": y},
-            {"type": "pointerDown", "button": 0}, {"type": "pointerUp", "button": 0}]}]})
-
-    def open(self, page):
-        self.ask("/url", {"url": page.as_uri()})
-        for _ in range(200):  # ten seconds; the pictures are decoded by then
-            if self.text("#colors"):
-                return
-            time.sleep(0.05)
-
-    def close(self):
-        self.ask_delete()
-        self.driver.terminate()
-        self.driver.wait()
-
-    def ask_delete(self):
-        with urllib.request.urlopen(urllib.request.Request(self.url, method="DELETE")):
-            pass
-
-
-TAB, LEFT, UP, RIGHT, ENTER, END = "\ue004", "\ue012", "\ue013", "\ue014", "\ue007", "\ue010"
 
 
 def make_pages(directory):
@@ -109,6 +40,11 @@ def make_pages(directory):
     both = directory / "both.html"
     both.write_text(text[:found.start()] + json.dumps(data).replace("<", "\\u003c") + text[found.end():])
     return page, both, data
+
+
+def open_page(browser, page):
+    browser.open(page)
+    browser.until('document.querySelector("#colors").textContent')  # the pictures are decoded by then
 
 
 def check_slider(browser):
@@ -166,18 +102,17 @@ def main():
         page, both, data = make_pages(pathlib.Path(name))
         browser = Browser()
         try:
-            browser.open(page)
+            open_page(browser, page)
             check_choosing(browser, data)
             check_slider(browser)
             check_for_screen_readers(browser)
             check_offline(browser)
-            browser.open(both)
+            open_page(browser, both)
             check("both trees are shown, as text, and where they part", browser.text("#rays"),
                   lambda text: all(part in text for part in ("by your code\nmine <b>", "by the solutions\ntheirs", "First difference: t.")))
         finally:
             browser.close()
-    print(f"{passed} passed, {failed} failed")
-    sys.exit(failed > 0)
+    sys.exit(summary())
 
 
 main()

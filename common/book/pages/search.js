@@ -1,0 +1,87 @@
+// The book's search, its keys, and whether it is dark or light.
+'use strict';
+const query = document.getElementById('query');
+const found = document.getElementById('found');
+const up = query.dataset.up;
+let ready = null;
+
+function load(name) {
+  return new Promise((done, failed) => {
+    const script = document.createElement('script');
+    script.src = up + name;
+    script.onload = done;
+    script.onerror = failed;
+    document.head.append(script);
+  });
+}
+
+// Only who searches waits for it.
+function prepare() {
+  ready ??= Promise.all([load('lunr.min.js'), load('search_index.js')]).then(() => lunr(function () {
+    this.ref('number');
+    this.field('title', {boost: 8});
+    this.field('page', {boost: 3});
+    this.field('text');
+    sections.forEach((section, number) => this.add({number, ...section}));
+  }));
+  return ready;
+}
+
+// Every word must occur; the last one may be its beginning.
+function matches(index, words) {
+  return index.query(q => words.forEach((word, i) => {
+    const presence = lunr.Query.presence.REQUIRED;
+    const last = i === words.length - 1;
+    q.term(lunr.tokenizer(word), {presence, wildcard: last ? lunr.Query.wildcard.TRAILING : lunr.Query.wildcard.NONE,
+                                  usePipeline: !last});
+  })).slice(0, 20);
+}
+
+function excerpt(text, word) {
+  const at = Math.max(0, text.toLowerCase().indexOf(word) - 60);
+  return (at > 0 ? '… ' : '') + text.slice(at, at + 160) + ' …';
+}
+
+function show(results, words) {
+  found.replaceChildren();
+  found.hidden = false;
+  for (const result of results) {
+    const section = sections[result.ref];
+    const link = document.createElement('a');
+    link.href = up + section.href;
+    link.textContent = `${section.page}: ${section.title}`;
+    const small = document.createElement('small');
+    small.textContent = excerpt(section.text, words[words.length - 1]);
+    link.append(small);
+    found.append(link);
+  }
+  if (results.length === 0) found.append(Object.assign(document.createElement('p'), {textContent: 'Nothing found.'}));
+}
+
+query.addEventListener('input', async () => {
+  const words = query.value.toLowerCase().split(/[^\p{L}\p{N}]+/u).filter(Boolean);
+  if (words.length === 0) { found.hidden = true; return; }
+  show(matches(await prepare(), words), words);
+});
+query.addEventListener('focus', prepare);
+document.addEventListener('click', event => { if (!event.target.closest('.search')) found.hidden = true; });
+document.addEventListener('keydown', event => {
+  const typing = event.target.matches('input, textarea');
+  if (event.key === 'Escape') { found.hidden = true; query.blur(); }
+  if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (event.key === '/') { event.preventDefault(); query.focus(); }
+  const turn = {ArrowLeft: 'prev', ArrowRight: 'next'}[event.key];
+  const link = turn && document.querySelector(`a[rel="${turn}"]`);
+  if (link && !event.shiftKey) location.href = link.href;
+});
+
+const root = document.documentElement;
+const kept = key => { try { return localStorage.getItem(key); } catch { return null; } };
+if (kept('shade')) root.dataset.shade = kept('shade');
+document.getElementById('shade').addEventListener('click', () => {
+  const dark = root.dataset.shade ? root.dataset.shade === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+  root.dataset.shade = dark ? 'light' : 'dark';
+  try { localStorage.setItem('shade', root.dataset.shade); } catch { /* not kept, then */ }
+});
+// On a narrow screen the contents would stand before the text.
+if (matchMedia('(max-width: 56rem)').matches) document.getElementById('contents').open = false;
