@@ -7,6 +7,7 @@
 #include "common/terminal/json_text.hpp"
 #include "common/terminal/process.hpp"
 #include "common/workbook/exercise.hpp"
+#include "common/workbook/solutions.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -26,9 +27,8 @@ std::string metadata(const Project& project, const BookPage& page, const std::ve
     const auto code = [](const std::string& text) { return "`" + text + "`"; };
     nlohmann::ordered_json names = nlohmann::ordered_json::object();
     for (const BookPage& other : pages) names[other.source.string()] = code(other.file);
-    return json_text(nlohmann::ordered_json{{"source", code(page.source.string())},
-                                            {"root", code(project.root.string())},
-                                            {"pages", names}});
+    return json_text(nlohmann::ordered_json{
+        {"source", code(page.source.string())}, {"root", code(project.root.string())}, {"pages", names}});
 }
 
 std::string run_pandoc(const Project& project, const BookPage& page, const fs::path& facts) {
@@ -47,7 +47,8 @@ std::string run_pandoc(const Project& project, const BookPage& page, const fs::p
 }
 
 /// Takes away the last comment, in which the filter has noted "picture PATH", "file PATH" and "missing PATH".
-void read_wanted(const BookPage& page, Fragment& fragment) {
+/// A handout has not all that lessons refer to.
+void read_wanted(const Project& project, const BookPage& page, Fragment& fragment) {
     const std::size_t comment = fragment.html.rfind("<!-- wanted");
     const std::string notes = fragment.html.substr(comment);
     fragment.html.resize(comment);
@@ -55,7 +56,7 @@ void read_wanted(const BookPage& page, Fragment& fragment) {
         const std::string path = line.substr(line.find(' ') + 1);
         if (line.starts_with("picture ")) fragment.pictures.insert(path);
         if (line.starts_with("file ")) fragment.files.insert(path);
-        if (line.starts_with("missing "))
+        if (line.starts_with("missing ") && has_solutions(project))
             throw InputError(fmt::format("{} refers to {}, which is not there", page.source.string(), path));
     }
 }
@@ -79,8 +80,8 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
         text.replace(at, from.size(), to);
 }
 
-/// Parentheses grow with what they enclose only where the formula says so; pandoc 2 lets all of them grow, and
-/// that leaves gaps beside them.
+/// Parentheses grow with what they enclose only where the formula says so; pandoc 2 lets all of them grow,
+/// and that leaves gaps beside them.
 std::string with_plain_parentheses(const std::string& html) {
     std::string text;
     std::size_t at = 0;
@@ -104,7 +105,7 @@ Fragment fragment_of(const Project& project, const BookPage& page, const std::ve
     write_file(facts.path, metadata(project, page, pages));
     Fragment fragment;
     fragment.html = with_plain_parentheses(run_pandoc(project, page, facts.path));
-    read_wanted(page, fragment);
+    read_wanted(project, page, fragment);
     fragment.sections = sections_of(fragment.html);
     return fragment;
 }

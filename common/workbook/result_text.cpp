@@ -34,23 +34,19 @@ std::string test_named_in(const std::string& message) {
 }
 
 /// What is left to do when nothing is.
-std::string after_the_last(const Project& project, const std::vector<Chapter>& chapters) {
+std::string after_the_last(const Project& project, const std::vector<KnownResult>& results) {
     std::vector<std::string> challenges;
-    for (const Chapter& chapter : chapters) {
-        const fs::path lesson = project.root / "chapters" / chapter.name / "README.md";
-        if (fs::exists(lesson) && read_file(lesson).find("\n## Challenges\n") != std::string::npos)
-            challenges.push_back(chapter.number);
-    }
+    for (const KnownResult& known : results)
+        for (const StepResult& step : known.result.steps)
+            if (step.optional && step.state != State::Passed) challenges.push_back(step.id);
     std::string text =
         "every step has passed. Draw a scene of your own: common/scene/README.md says how, ./course "
-        "render mine.scene --preview shows it.";
-    if (!challenges.empty())
-        text += fmt::format(" The lessons of {} end with challenges.", fmt::join(challenges, ", "));
+        "render mine.scene --preview shows it. The lessons end with challenges";
+    text += challenges.empty() ? "." : fmt::format("; {} can be checked.", fmt::join(challenges, ", "));
     if (has_solutions(project))
         text +=
             " The gallery of all that you can draw is ./course tour, and ./course solution shows how others "
-            "write "
-            "a step.";
+            "write a step.";
     return text;
 }
 
@@ -121,7 +117,7 @@ std::string next_action(const Project& project, const std::vector<Chapter>& chap
         if (!results[i].current) return fmt::format("./course check {}", chapters[i].number);
         return next_action(chapters[i], results[i].result);
     }
-    return after_the_last(project, chapters);
+    return after_the_last(project, results);
 }
 
 nlohmann::ordered_json results_json(const std::vector<Chapter>& chapters,
@@ -135,9 +131,9 @@ nlohmann::ordered_json results_json(const std::vector<Chapter>& chapters,
             steps.push_back({{"id", step.id},
                              {"title", described.title},
                              {"points", described.points},
-                             {"optional", described.optional},
                              {"state", name_of(step.state)},
                              {"message", step.message}});
+            if (described.optional) steps.back()["optional"] = true;
         }
         list.push_back(
             {{"id", chapter.name}, {"title", chapter.title}, {"hours", chapter.hours}, {"steps", steps}});

@@ -28,8 +28,8 @@ std::string next_action(const Project& project, const std::vector<Chapter>& chap
 /// What to do next in a chapter that is not finished.
 std::string next_action(const Chapter& chapter, const ChapterResult& result);
 
-/// {"chapters":[{"id","title","steps":[{"id","title","points","optional","state","message"}]}]}: the results
-/// may be of some chapters, and of some of their steps.
+/// {"chapters":[{"id","title","steps":[{"id","title","points","state","message"}]}]}: the results
+/// may be of some chapters, and of some of their steps. Optional steps have "optional": true, too.
 nlohmann::ordered_json results_json(const std::vector<Chapter>& chapters,
                                     const std::vector<ChapterResult>& results);
 

@@ -29,6 +29,15 @@ TEST_CASE("without a grading.json points are the chapters', all or nothing") {
     CHECK(late_percent(rubric, "02", test::moment("9999-01-01T00:00:00Z")) == 100);
 }
 
+TEST_CASE("an optional step's points are extra credit, unless the instructor says otherwise") {
+    std::vector<Chapter> chapters = test::two_chapters();
+    chapters[1].steps[1].optional = true;
+    CHECK(default_rubric(chapters).steps.at("02.2").extra);
+    CHECK_FALSE(default_rubric(chapters).steps.at("02.1").extra);
+    const std::string own = R"({"version": 1, "steps": {"02.2": {"extra": false}}})";
+    CHECK_FALSE(read_rubric("grading.json", own, chapters).steps.at("02.2").extra);
+}
+
 TEST_CASE("a grading.json is read with all that it says") {
     const Rubric rubric = read(R"({
       "version": 1, "credit": "part", "hidden": ["[stability]"],

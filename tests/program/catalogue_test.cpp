@@ -2,6 +2,7 @@
 #include "common/workbook/catalogue.hpp"
 #include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
+#include "common/workbook/results.hpp"
 #include "tests/catch.hpp"
 #include "tests/program/sandbox.hpp"
 
@@ -95,6 +96,17 @@ TEST_CASE("a chapter is read with all that it says") {
     CHECK(chapters[0].steps[1].points == 5);
     CHECK(chapters[0].steps[1].hints.size() == 3);
     CHECK(chapters[0].scenes == std::vector<std::string>{"one.scene"});
+}
+
+TEST_CASE("a step may be optional") {
+    const Project project = test::sandbox("catalogue");
+    std::string description = test::good_chapter;
+    description.replace(description.find("\"points\": 5"), 11, "\"points\": 5, \"optional\": true");
+    test::add_chapter(project, "02_spheres", description);
+    const auto chapters = read_catalogue(project);
+    CHECK_FALSE(chapters[0].steps[0].optional);
+    CHECK(chapters[0].steps[1].optional);
+    CHECK(all_todo(chapters[0]).steps[1].optional);
 }
 
 TEST_CASE("a directory with a contract only is no chapter yet; one with exercises must be described") {

@@ -195,10 +195,27 @@ TEST_CASE("there is one next action") {
     known[0] = {{"02_spheres", "", {{"02.1", State::Passed, ""}, {"02.2", State::Passed, ""}}}, true};
     CHECK(next().find("every step has passed. Draw a scene of your own") == 0);
     CHECK(next().find("./course tour") != std::string::npos);
-    CHECK(next().find("challenge") == std::string::npos);
-    test::write(tree.project.root / "chapters/02_spheres/README.md",
-                "# Spheres\n\n## Challenges\n\n1. A torus.\n");
-    CHECK(next().find("The lessons of 02 end with challenges.") != std::string::npos);
+    CHECK(next().find("The lessons end with challenges.") != std::string::npos);
+    known[0].result.steps[1] = {"02.2", State::Todo, "", "", true};
+    CHECK(next().find("The lessons end with challenges; 02.2 can be checked.") != std::string::npos);
+    known[0].result.steps[1].state = State::Failed;
+    CHECK(next().find("mend step 02.2") == 0);
+}
+
+TEST_CASE("a chapter is complete without its optional steps, but not while one of them is wrong") {
+    ChapterResult result{
+        "02_spheres", "", {{"02.1", State::Passed, ""}, {"02.2", State::Todo, "", "", true}}};
+    CHECK(all_passed(result));
+    CHECK(steps_done(result).passed == 1);
+    CHECK(steps_done(result).all == 1);
+    result.steps[1].state = State::Failed;
+    CHECK_FALSE(all_passed(result));
+    // Whoever asks for it alone wants to know.
+    result = {"02_spheres", "", {{"02.2", State::Todo, "", "", true}}};
+    CHECK_FALSE(all_passed(result));
+    CHECK(steps_done(result).all == 1);
+    result.steps[0].state = State::Passed;
+    CHECK(all_passed(result));
 }
 
 TEST_CASE("the next step is one that has not passed, from where one is on and round") {
@@ -228,6 +245,11 @@ TEST_CASE("the next step is one that has not passed, from where one is on and ro
     CHECK(after(0, 1) == "none");
     known[0].current = false;
     CHECK(after(1, 2) == "1.1");  // it changed since
+    known[0].current = true;
+    known[1].result.steps[2].state = State::Todo;
+    chapters[1].steps[2].optional = true;
+    CHECK(after(0, 1) == "none");
+    CHECK(after(1, 2) == "2.3");  // where one is
 }
 
 TEST_CASE("the compiler's first error is found among what a build says") {
