@@ -110,12 +110,14 @@ GivenChanges given_changes(const Project& project) {
     if (git_or_nothing(project, {"config", "--type=bool", "course.maintainer"}) == "true") return {};
     changes.committed = !course.empty() && differing("HEAD").size() < changes.files.size();
     if (changes.committed) changes.commit = course;
+    changes.staged = !git_or_nothing(project, {"diff", "--cached", "--name-only", "--", "."}).empty();
     return changes;
 }
 
 std::string restore_command(const GivenChanges& changes) {
     std::string command = "git restore";
-    if (changes.committed) command += " --source=" + changes.commit.substr(0, 10);
+    // Without a source git takes what is staged.
+    if (changes.committed || changes.staged) command += " --source=" + changes.commit.substr(0, 10);
     for (std::size_t i = 0; i < std::min(changes.files.size(), most_named); ++i)
         command += " " + changes.files[i].path;
     return command;

@@ -21,6 +21,7 @@ struct GivenChanges {
     std::vector<ChangedGiven> files;
     std::string commit;      ///< "HEAD", or the commit in which a handout or the branch upstream has them
     bool committed = false;  ///< some were committed as they are now
+    bool staged = false;     ///< something is to be committed, perhaps one of them
 };
 
 /// Compares with a handout as it was handed out or brought up to date, else with the branch upstream, else

@@ -65,6 +65,15 @@ TEST_CASE("a given file that was changed is named, and how it comes back") {
     CHECK(clone.words().empty());
 }
 
+TEST_CASE("one that was staged comes back, too") {
+    const Clone clone;
+    test::write(clone.shared, "struct Ray {}\n");
+    clone.in_git({"add", "--all"});
+    CHECK(restore_command(given_changes(clone.project)) == "git restore --source=HEAD common/math/ray.hpp");
+    clone.in_git({"restore", "--source=HEAD", "common/math/ray.hpp"});
+    CHECK(clone.words().empty());
+}
+
 TEST_CASE("one that was committed by accident comes back, too") {
     const Clone clone;
     clone.in_git({"branch", "theirs"});
