@@ -76,4 +76,22 @@ Vec3 transmitted(const Vec3& absorption, Real distance) {
     // [/exercise]
 }
 
+Vec3 soap_film(Real cos_i, Real ior, Real thickness) {
+    // [exercise 07.7] For each polarisation and each of the three `wavelengths`, the part of the light that
+    // comes back when all the waves that do are added up; of unpolarised light, the mean of both.
+    const Real eta = 1 / ior, cos_t = std::sqrt(refracted_cosine_squared(cos_i, eta));
+    const Real along = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+    const Real across = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+    Vec3 part(0);
+    for (int i = 0; i < 3; ++i) {
+        const Real sine = std::sin(2 * pi * ior * thickness * cos_t / wavelengths[i]);
+        for (const Real rho : {along * along, across * across}) {
+            const Real wave = 4 * rho * sine * sine;
+            part[i] += wave / ((1 - rho) * (1 - rho) + wave) / 2;
+        }
+    }
+    return part;
+    // [/exercise]
+}
+
 }  // namespace rt

@@ -51,6 +51,22 @@ namespace {
         {offset_origin(surface, side), leaving, incoming.ray.time}, weight, incoming.depth + 1, kind, media};
 }
 
+/// How much of the light that meets a transparent surface is mirrored, and how much goes through.
+struct Shares {
+    Vec3 mirrored{0}, through{0};
+};
+
+/// The shares at this cosine of the angle of incidence, in [0, 1], where reflection is not total.
+[[maybe_unused]] Shares shares(const Material& material, Real cos_i, Real eta) {
+    // [exercise 07.5] With a Fresnel law, exact or Schlick's, a part R is mirrored, and of the rest the part
+    // `transmission` goes through. Where material.fresnel is Fresnel::None, `specular` is mirrored and
+    // `transmission` goes through, whatever the angle.
+    if (material.fresnel == Fresnel::None) return {material.specular, material.transmission};
+    const Real r = material.fresnel == Fresnel::Exact ? fresnel(cos_i, eta) : schlick(cos_i, eta);
+    return {Vec3(r), (1 - r) * material.transmission};
+    // [/exercise]
+}
+
 }  // namespace
 
 Media cross(const Media& media, Medium medium) {
@@ -69,36 +85,29 @@ Media cross(const Media& media, Medium medium) {
 
 Branches scatter(const World& world, const Branch& incoming, const Hit& hit, const Surface& surface,
                  const Material& material) {
-    // [exercise 07.5] Nothing goes on once incoming.depth is world.max_depth. Let n be the shading normal,
-    // turned against the ray. An opaque material sends one mirror ray with the factor `specular`. A
-    // transparent one: eta = ior(before)/ior(after) with `cross`; R = fresnel or schlick as the material
-    // says; mirror factor R (specular where it says none), refracted factor (1 − R)·transmission. Where
-    // refract_at returns nothing, all light is mirrored: factor 1, direction reflect_totally. `add` above
-    // keeps the books.
+    // [exercise 07.5] The rays that go on, the mirrored one first. None does once incoming.depth is
+    // world.max_depth. An opaque material mirrors `specular` of the light. A transparent one shares it out as
+    // `shares` says; where reflection is total, all of it is mirrored. Use the shading normal, turned against
+    // the ray, and the functions above: `refract_at`, `reflect_totally`, and `add`, which appends a ray.
     Branches branches;
     if (incoming.depth >= world.max_depth) return branches;
     const Vec3& d = incoming.ray.direction;
     const Vec3 n = turned_against(surface.shading_normal, d);
-    Vec3 mirror = material.specular;
     if (material.transmission == Vec3(0)) {
-        add(world, branches, incoming, surface, RayKind::Reflection, reflect(d, n), mirror, incoming.media);
+        add(world, branches, incoming, surface, RayKind::Reflection, reflect(d, n), material.specular,
+            incoming.media);
         return branches;
     }
     const Primitive& primitive = world.primitives[hit.primitive];
     const Media after = cross(incoming.media, {primitive.object, primitive.material});
     const Real eta = ior(world, incoming.media) / ior(world, after);
-    Vec3 through = material.transmission;
-    if (material.fresnel != Fresnel::None) {
-        const auto reflectance = material.fresnel == Fresnel::Exact ? fresnel : schlick;
-        const Real r = reflectance(std::min(-dot(d, n), Real(1)), eta);
-        mirror = Vec3(r);
-        through *= 1 - r;
-    }
     const std::optional<Vec3> refracted = refract_at(surface, incoming, n, eta, after);
-    if (!refracted) mirror = Vec3(1);
+    Shares share = shares(material, std::min(-dot(d, n), Real(1)), eta);
+    if (!refracted) share.mirrored = Vec3(1);
     const Vec3 mirrored = refracted ? reflect(d, n) : reflect_totally(surface, incoming, n, after);
-    add(world, branches, incoming, surface, RayKind::Reflection, mirrored, mirror, incoming.media);
-    if (refracted) add(world, branches, incoming, surface, RayKind::Refraction, *refracted, through, after);
+    add(world, branches, incoming, surface, RayKind::Reflection, mirrored, share.mirrored, incoming.media);
+    if (refracted)
+        add(world, branches, incoming, surface, RayKind::Refraction, *refracted, share.through, after);
     return branches;
     // [/exercise]
 }
