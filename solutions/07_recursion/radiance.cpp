@@ -70,8 +70,8 @@ struct Shares {
 }  // namespace
 
 Media cross(const Media& media, Medium medium) {
-    // [exercise 07.4] If the object is among the media, remove it: the ray leaves it. Else append the medium:
-    // the ray enters it. The order of the others stays.
+    // [exercise 07.4] Return the media behind the surface: without the object if the ray was inside of it, else
+    // with the medium as the last. The order of the others stays.
     Media after = media;
     const auto same =
         std::find_if(after.begin(), after.end(), [&](const Medium& m) { return m.object == medium.object; });
@@ -116,12 +116,11 @@ Vec3 radiance(const World& world, const Ray& ray) {
     Branch camera;
     camera.ray = ray;
     camera.media = world.eye_inside;
-    // [exercise 07.6] Keep the rays still to be traced on a stack (a std::vector), at first the camera ray.
-    // While there are any: take the last one off. If world.needs.absorption, multiply its weight by what the
-    // medium leaves of the light on the way to the hit (`left_after`; the way is infinite where nothing is
-    // hit). Where it hits nothing, add weight · background(world, direction of the ray). Else add weight ·
-    // local_light, and push what `scatter` returns, the last branch first, so that the reflected ray is
-    // traced next. Count each pushed ray in ray_counts().reflection or .refraction.
+    // [exercise 07.6] Return the sum over the tree of the camera ray, with the rays that wait on a stack (a
+    // std::vector). Each ray adds its weight times the local_light of its hit, or times the background; what
+    // the medium takes on the way to the hit is taken off its weight first (the way is infinite where nothing
+    // is hit). Of what `scatter` returns, the mirrored ray is traced before the refracted one. Count each ray
+    // that goes on in ray_counts().reflection or .refraction.
     Vec3 sum(0);
     std::vector<Branch> stack{camera};
     while (!stack.empty()) {
