@@ -23,8 +23,8 @@ Vec3 reflect(const Vec3& d, const Vec3& n) {
 }
 
 std::optional<Vec3> refract(const Vec3& d, const Vec3& n, Real eta) {
-    // 07.2  Return the refracted direction, a unit vector, or nothing where reflection is total. The
-    // function above gives cosₜ². No NaN may appear on the way.
+    // 07.2  Return the refracted direction, a unit vector, or nothing where reflection is total.
+    // The function above gives cosₜ². No NaN may appear on the way.
     return todo("07.2");
 }
 
@@ -35,14 +35,14 @@ Real fresnel(Real cos_i, Real eta) {
 }
 
 Real schlick(Real cos_i, Real eta) {
-    // 07.3  Return the same by Schlick's approximation, with the cosine on the thinner side: 1 where
-    // reflection is total.
+    // 07.3  Return the same by Schlick's approximation, with the cosine on the thinner side: 1
+    // where reflection is total.
     return todo("07.3");
 }
 
 Vec3 transmitted(const Vec3& absorption, Real distance) {
-    // 07.4  Return what is left in each channel. The distance may be infinite: all is left then in a
-    // channel without absorption.
+    // 07.4  Return what is left in each channel. The distance may be infinite: all is left then in
+    // a channel without absorption.
     return todo("07.4");
 }
 

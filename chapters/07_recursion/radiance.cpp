@@ -53,6 +53,12 @@ namespace {
         {offset_origin(surface, side), leaving, incoming.ray.time}, weight, incoming.depth + 1, kind, media};
 }
 
+/// The media behind the surface that was hit.
+[[maybe_unused]] Media media_behind(const World& world, const Branch& incoming, const Hit& hit) {
+    const Primitive& primitive = world.primitives[hit.primitive];
+    return cross(incoming.media, {primitive.object, primitive.material});
+}
+
 /// How much of the light that meets a transparent surface is mirrored, and how much goes through.
 struct Shares {
     Vec3 mirrored{0}, through{0};
@@ -69,8 +75,8 @@ struct Shares {
 }  // namespace
 
 Media cross(const Media& media, Medium medium) {
-    // 07.4  Return the media behind the surface: without the object if the ray was inside of it, else
-    // with the medium as the last. The order of the others stays.
+    // 07.4  Return the media behind the surface: without the object if the ray was inside of it,
+    // else with the medium as the last. The order of the others stays.
     return todo("07.4");
 }
 
@@ -79,7 +85,8 @@ Branches scatter(const World& world, const Branch& incoming, const Hit& hit, con
     // 07.5  The rays that go on, the mirrored one first. None does once incoming.depth is
     // world.max_depth. An opaque material mirrors `specular` of the light. A transparent one shares it out as
     // `shares` says; where reflection is total, all of it is mirrored. Use the shading normal, turned against
-    // the ray, and the functions above: `refract_at`, `reflect_totally`, and `add`, which appends a ray.
+    // the ray, and the functions above: `media_behind`, `refract_at`, `reflect_totally`, and `add`, which
+    // appends a ray.
     return todo("07.5");
 }
 

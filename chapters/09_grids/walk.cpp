@@ -63,8 +63,8 @@ bool search_cells(const Grid& grid, Search& search, Interval part);
 
 /// Asks the shapes that the cell lists; t is the part of the ray in it. Returns whether the search is over.
 bool ask_cell(const Grid& grid, std::size_t number, Interval t, Search& search) {
-    // 09.12  Ask the shapes that the cell lists, all at once, if there are any, and keep in search.end
-    // what `ask` returns. Return whether nothing that is left can be as near as search.end.
+    // 09.12  Ask the shapes that the cell lists, all at once, if there are any, and keep in
+    // search.end what `ask` returns. Return whether nothing that is left can be as near as search.end.
     return todo("09.12");
 }
 
@@ -98,7 +98,8 @@ Boundaries boundaries_along(const GridShape& shape, const Ray& ray, int axis) {
 
 int cell_at(const GridShape& shape, const Ray& ray, int axis, const Boundaries& boundaries, Real t) {
     // 09.10  Return the cell in which the ray is at t. The boundaries decide, as t0 + i · delta
-    // computes them; a division can only guess where to begin. Where `step` is 0 it is the cell of the origin.
+    // computes them; a division can only guess where to begin. Where `step` is 0 it is the cell of the
+    // origin.
     return todo("09.10");
 }
 

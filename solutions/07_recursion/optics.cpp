@@ -23,8 +23,8 @@ Vec3 reflect(const Vec3& d, const Vec3& n) {
 }
 
 std::optional<Vec3> refract(const Vec3& d, const Vec3& n, Real eta) {
-    // [exercise 07.2] Return the refracted direction, a unit vector, or nothing where reflection is total. The
-    // function above gives cosₜ². No NaN may appear on the way.
+    // [exercise 07.2] Return the refracted direction, a unit vector, or nothing where reflection is total.
+    // The function above gives cosₜ². No NaN may appear on the way.
     const Real cos_i = -dot(d, n);
     const Real cos_t_squared = refracted_cosine_squared(cos_i, eta);
     // Written so that a NaN, which is not less than 0 either, takes this way out too.
@@ -47,8 +47,8 @@ Real fresnel(Real cos_i, Real eta) {
 }
 
 Real schlick(Real cos_i, Real eta) {
-    // [exercise 07.3] Return the same by Schlick's approximation, with the cosine on the thinner side: 1 where
-    // reflection is total.
+    // [exercise 07.3] Return the same by Schlick's approximation, with the cosine on the thinner side: 1
+    // where reflection is total.
     const Real root = (1 - eta) / (1 + eta);
     const Real f0 = root * root;
     Real cosine = cos_i;
@@ -64,8 +64,8 @@ Real schlick(Real cos_i, Real eta) {
 }
 
 Vec3 transmitted(const Vec3& absorption, Real distance) {
-    // [exercise 07.4] Return what is left in each channel. The distance may be infinite: all is left then in a
-    // channel without absorption.
+    // [exercise 07.4] Return what is left in each channel. The distance may be infinite: all is left then in
+    // a channel without absorption.
     Vec3 left(1);
     for (int i = 0; i < 3; ++i)
         if (absorption[i] != 0) left[i] = std::exp(-absorption[i] * distance);

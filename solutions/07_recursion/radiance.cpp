@@ -51,6 +51,12 @@ namespace {
         {offset_origin(surface, side), leaving, incoming.ray.time}, weight, incoming.depth + 1, kind, media};
 }
 
+/// The media behind the surface that was hit.
+[[maybe_unused]] Media media_behind(const World& world, const Branch& incoming, const Hit& hit) {
+    const Primitive& primitive = world.primitives[hit.primitive];
+    return cross(incoming.media, {primitive.object, primitive.material});
+}
+
 /// How much of the light that meets a transparent surface is mirrored, and how much goes through.
 struct Shares {
     Vec3 mirrored{0}, through{0};
@@ -70,8 +76,8 @@ struct Shares {
 }  // namespace
 
 Media cross(const Media& media, Medium medium) {
-    // [exercise 07.4] Return the media behind the surface: without the object if the ray was inside of it, else
-    // with the medium as the last. The order of the others stays.
+    // [exercise 07.4] Return the media behind the surface: without the object if the ray was inside of it,
+    // else with the medium as the last. The order of the others stays.
     Media after = media;
     const auto same =
         std::find_if(after.begin(), after.end(), [&](const Medium& m) { return m.object == medium.object; });
@@ -88,7 +94,8 @@ Branches scatter(const World& world, const Branch& incoming, const Hit& hit, con
     // [exercise 07.5] The rays that go on, the mirrored one first. None does once incoming.depth is
     // world.max_depth. An opaque material mirrors `specular` of the light. A transparent one shares it out as
     // `shares` says; where reflection is total, all of it is mirrored. Use the shading normal, turned against
-    // the ray, and the functions above: `refract_at`, `reflect_totally`, and `add`, which appends a ray.
+    // the ray, and the functions above: `media_behind`, `refract_at`, `reflect_totally`, and `add`, which
+    // appends a ray.
     Branches branches;
     if (incoming.depth >= world.max_depth) return branches;
     const Vec3& d = incoming.ray.direction;
@@ -98,16 +105,14 @@ Branches scatter(const World& world, const Branch& incoming, const Hit& hit, con
             incoming.media);
         return branches;
     }
-    const Primitive& primitive = world.primitives[hit.primitive];
-    const Media after = cross(incoming.media, {primitive.object, primitive.material});
+    const Media after = media_behind(world, incoming, hit);
     const Real eta = ior(world, incoming.media) / ior(world, after);
     const std::optional<Vec3> refracted = refract_at(surface, incoming, n, eta, after);
-    Shares share = shares(material, std::min(-dot(d, n), Real(1)), eta);
-    if (!refracted) share.mirrored = Vec3(1);
+    auto [mirror, through] = shares(material, std::min(-dot(d, n), Real(1)), eta);
+    if (!refracted) mirror = Vec3(1);
     const Vec3 mirrored = refracted ? reflect(d, n) : reflect_totally(surface, incoming, n, after);
-    add(world, branches, incoming, surface, RayKind::Reflection, mirrored, share.mirrored, incoming.media);
-    if (refracted)
-        add(world, branches, incoming, surface, RayKind::Refraction, *refracted, share.through, after);
+    add(world, branches, incoming, surface, RayKind::Reflection, mirrored, mirror, incoming.media);
+    if (refracted) add(world, branches, incoming, surface, RayKind::Refraction, *refracted, through, after);
     return branches;
     // [/exercise]
 }

@@ -51,8 +51,8 @@ CellBlock block_around(const GridShape& shape, const Bounds& box, Real margin) {
 /// Returns how many there are.
 std::size_t list_cells(const Task& task, const GridShape& shape, std::uint32_t i, const CellBlock& block,
                        std::vector<std::uint32_t>& numbers) {
-    // [exercise 09.7] Append the numbers of the cells, and return how many there are. A loop over all cells of
-    // the block is right; to be fast, too, ask about a large block as a whole first, its box grown by two
+    // [exercise 09.7] Append the numbers of the cells, and return how many there are. A loop over all cells
+    // of the block is right; to be fast, too, ask about a large block as a whole first, its box grown by two
     // margins to be on the safe side.
     const Cells size = block.high - block.low + 1;
     const Bounds box{cell_box(shape, block.low).low, cell_box(shape, block.high).high};
@@ -164,9 +164,9 @@ std::size_t refine(const Task& task, Grid& grid, int depth) {
 }  // namespace
 
 Cells grid_resolution(const Bounds& box, std::size_t count, Real density, int most) {
-    // [exercise 09.3] Return the numbers of cells, density · count in all, as nearly cubes as possible. An axis
-    // without length, or too short for one cell, gets one, and the others share them all. Whole numbers, at
-    // least 1 and at most `most`.
+    // [exercise 09.3] Return the numbers of cells, density · count in all, as nearly cubes as possible. An
+    // axis without length, or too short for one cell, gets one, and the others share them all. Whole numbers,
+    // at least 1 and at most `most`.
     Cells cells(1);
     const Vec3 edges = box.high - box.low;
     std::vector<int> axes;
@@ -199,8 +199,8 @@ bool overlaps(const Bounds& shape, const Bounds& box) {
 }
 
 bool overlaps(const Sphere& sphere, const Bounds& box) {
-    // [exercise 09.5] Say whether the sphere's surface may have a point in the box. A box that is wholly inside
-    // the sphere has none.
+    // [exercise 09.5] Say whether the sphere's surface may have a point in the box. A box that is wholly
+    // inside the sphere has none.
     const Vec3 low = box.low - sphere.center, high = box.high - sphere.center;
     const Vec3 nearest = glm::clamp(Vec3(0), low, high);
     const Vec3 farthest = glm::max(glm::abs(low), glm::abs(high));

@@ -77,8 +77,8 @@ bool search_cells(const Grid& grid, Search& search, Interval part);
 
 /// Asks the shapes that the cell lists; t is the part of the ray in it. Returns whether the search is over.
 bool ask_cell(const Grid& grid, std::size_t number, Interval t, Search& search) {
-    // [exercise 09.12] Ask the shapes that the cell lists, all at once, if there are any, and keep in search.end
-    // what `ask` returns. Return whether nothing that is left can be as near as search.end.
+    // [exercise 09.12] Ask the shapes that the cell lists, all at once, if there are any, and keep in
+    // search.end what `ask` returns. Return whether nothing that is left can be as near as search.end.
     const std::uint32_t first = grid.first[number], last = grid.first[number + 1];
     if (first != last) search.end = search.ask({grid.items.data() + first, last - first}, t);
     return search.end < t.max;
@@ -123,7 +123,8 @@ Boundaries boundaries_along(const GridShape& shape, const Ray& ray, int axis) {
 
 int cell_at(const GridShape& shape, const Ray& ray, int axis, const Boundaries& boundaries, Real t) {
     // [exercise 09.10] Return the cell in which the ray is at t. The boundaries decide, as t0 + i · delta
-    // computes them; a division can only guess where to begin. Where `step` is 0 it is the cell of the origin.
+    // computes them; a division can only guess where to begin. Where `step` is 0 it is the cell of the
+    // origin.
     const int cells = shape.cells[axis];
     const Real cell_size = (shape.box.high[axis] - shape.box.low[axis]) / static_cast<Real>(cells);
     const Real place = boundaries.step == 0 ? (ray.origin[axis] - shape.box.low[axis]) / cell_size
