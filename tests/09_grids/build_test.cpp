@@ -12,6 +12,7 @@ using namespace rt;
 using rt::test::cases;
 using rt::test::for_each_cell;
 using rt::test::items_of;
+using rt::test::or_say;
 using rt::test::Random;
 using rt::test::show;
 using rt::test::unit_cells;
