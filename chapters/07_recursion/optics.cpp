@@ -11,42 +11,45 @@ namespace {
 
 /// cosₜ² by Snell's law, negative where reflection is total.
 [[maybe_unused]] Real refracted_cosine_squared(Real cos_i, Real eta) {
-    // 07.2  Snell's law says sinₜ = eta·sinᵢ, so cosₜ² = 1 − eta²·(1 − cosᵢ²). Return that in the
-    // form (1 − eta)·(1 + eta) + (eta·cosᵢ)², in which the large terms have cancelled on paper already.
+    // 07.2  Return cosₜ² in that form of the lesson in which nothing cancels.
     return todo("07.2");
 }
 
 }  // namespace
 
 Vec3 reflect(const Vec3& d, const Vec3& n) {
-    // 07.1  Turn the part of d along n around: d − 2(d·n)n.
+    // 07.1  Return the direction in which d goes on from a mirror with the normal n.
     return todo("07.1");
 }
 
 std::optional<Vec3> refract(const Vec3& d, const Vec3& n, Real eta) {
-    // 07.2  cosᵢ = −d·n; the function above gives cosₜ². Negative: reflection is total, return
-    // nothing. Only then take the root. The direction is eta·d + (eta·cosᵢ − cosₜ)·n, made a unit vector.
+    // 07.2  Return the refracted direction, a unit vector, or nothing where reflection is total.
+    // The function above gives cosₜ². No NaN may appear on the way.
     return todo("07.2");
 }
 
 Real fresnel(Real cos_i, Real eta) {
-    // 07.3  With cosₜ from Snell's law (where it does not exist, 1 is reflected), the amplitudes
-    // are r∥ = (cosᵢ − eta·cosₜ)/(cosᵢ + eta·cosₜ) and r⊥ = (eta·cosᵢ − cosₜ)/(eta·cosᵢ + cosₜ), and of
-    // unpolarised light the part (r∥² + r⊥²)/2 is reflected. Where cosᵢ is 0, all of it is. Compute
-    // |a − b|/(a + b) as 1 − 2·min(a, b)/(a + b): near 1 only one rounding counts then.
+    // 07.3  Return the part of unpolarised light that is mirrored, by Fresnel's formulas: 1 where
+    // reflection is total, and where the ray grazes.
     return todo("07.3");
 }
 
 Real schlick(Real cos_i, Real eta) {
-    // 07.3  F0 = ((1 − eta)/(1 + eta))², and R = F0 + (1 − F0)·(1 − cos)⁵. The cosine is cosᵢ, but
-    // for eta > 1 it is cosₜ (and 1 is reflected where that does not exist).
+    // 07.3  Return the same by Schlick's approximation, with the cosine on the thinner side: 1
+    // where reflection is total.
     return todo("07.3");
 }
 
 Vec3 transmitted(const Vec3& absorption, Real distance) {
-    // 07.4  exp(−absorption · distance) in each channel; 1 where the absorption is 0, also for an
-    // infinite distance, where 0·∞ would be NaN.
+    // 07.4  Return what is left in each channel. The distance may be infinite: all is left then in
+    // a channel without absorption.
     return todo("07.4");
+}
+
+Vec3 soap_film(Real cos_i, Real ior, Real thickness) {
+    // 07.7  For each polarisation and each of the three `wavelengths`, the part of the light that
+    // comes back when all the waves that do are added up; of unpolarised light, the mean of both.
+    return todo("07.7");
 }
 
 }  // namespace rt

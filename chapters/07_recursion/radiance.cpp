@@ -53,22 +53,40 @@ namespace {
         {offset_origin(surface, side), leaving, incoming.ray.time}, weight, incoming.depth + 1, kind, media};
 }
 
+/// The media behind the surface that was hit.
+[[maybe_unused]] Media media_behind(const World& world, const Branch& incoming, const Hit& hit) {
+    const Primitive& primitive = world.primitives[hit.primitive];
+    return cross(incoming.media, {primitive.object, primitive.material});
+}
+
+/// How much of the light that meets a transparent surface is mirrored, and how much goes through.
+struct Shares {
+    Vec3 mirrored{0}, through{0};
+};
+
+/// The shares at this cosine of the angle of incidence, in [0, 1], where reflection is not total.
+[[maybe_unused]] Shares shares(const Material& material, Real cos_i, Real eta) {
+    // 07.5  With a Fresnel law, exact or Schlick's, a part R is mirrored, and of the rest the part
+    // `transmission` goes through. Where material.fresnel is Fresnel::None, `specular` is mirrored and
+    // `transmission` goes through, whatever the angle.
+    return todo("07.5");
+}
+
 }  // namespace
 
 Media cross(const Media& media, Medium medium) {
-    // 07.4  If the object is among the media, remove it: the ray leaves it. Else append the medium:
-    // the ray enters it. The order of the others stays.
+    // 07.4  Return the media behind the surface: without the object if the ray was inside of it,
+    // else with the medium as the last. The order of the others stays.
     return todo("07.4");
 }
 
 Branches scatter(const World& world, const Branch& incoming, const Hit& hit, const Surface& surface,
                  const Material& material) {
-    // 07.5  Nothing goes on once incoming.depth is world.max_depth. Let n be the shading normal,
-    // turned against the ray. An opaque material sends one mirror ray with the factor `specular`. A
-    // transparent one: eta = ior(before)/ior(after) with `cross`; R = fresnel or schlick as the material
-    // says; mirror factor R (specular where it says none), refracted factor (1 − R)·transmission. Where
-    // refract_at returns nothing, all light is mirrored: factor 1, direction reflect_totally. `add` above
-    // keeps the books.
+    // 07.5  The rays that go on, the mirrored one first. None does once incoming.depth is
+    // world.max_depth. An opaque material mirrors `specular` of the light. A transparent one shares it out as
+    // `shares` says; where reflection is total, all of it is mirrored. Use the shading normal, turned against
+    // the ray, and the functions above: `media_behind`, `refract_at`, `reflect_totally`, and `add`, which
+    // appends a ray.
     return todo("07.5");
 }
 
@@ -76,12 +94,11 @@ Vec3 radiance(const World& world, const Ray& ray) {
     Branch camera;
     camera.ray = ray;
     camera.media = world.eye_inside;
-    // 07.6  Keep the rays still to be traced on a stack (a std::vector), at first the camera ray.
-    // While there are any: take the last one off. If world.needs.absorption, multiply its weight by what the
-    // medium leaves of the light on the way to the hit (`left_after`; the way is infinite where nothing is
-    // hit). Where it hits nothing, add weight · background(world, direction of the ray). Else add weight ·
-    // local_light, and push what `scatter` returns, the last branch first, so that the reflected ray is
-    // traced next. Count each pushed ray in ray_counts().reflection or .refraction.
+    // 07.6  Return the sum over the tree of the camera ray, with the rays that wait on a stack (a
+    // std::vector). Each ray adds its weight times the local_light of its hit, or times the background; what
+    // the medium takes on the way to the hit is taken off its weight first (the way is infinite where nothing
+    // is hit). Of what `scatter` returns, the mirrored ray is traced before the refracted one. Count each ray
+    // that goes on in ray_counts().reflection or .refraction.
     return todo("07.6");
 }
 

@@ -119,6 +119,11 @@ Grid build_grid(const std::vector<Shape>& shapes, const GridOptions& options = {
     return build_grid(std::span<const Shape>(shapes), options);
 }
 
+/// [09.15] For each cell, in the order of their numbers, how many steps of a king, who goes to any of the 26
+/// cells around his, lead to the nearest cell that lists something: 0 in such a cell itself. If no cell lists
+/// anything, the greatest of the numbers of cells. `first` is as Grid has it.
+std::vector<int> king_steps(const Cells& cells, std::span<const std::uint32_t> first);
+
 /// Bytes that the grid and the grids in it take. Given.
 std::size_t bytes_of(const Grid& grid);
 

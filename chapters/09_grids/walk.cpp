@@ -35,10 +35,9 @@ Axis first_of(const GridShape& shape, const Ray& ray, int axis, Real t, int& num
 /// call returns true or the range or the grid ends. Returns whether a call did.
 template <class Visit>
 bool walk_on(Axis x, Axis y, Axis z, int number, Interval range, const Visit& visit) {
-    // 09.11  The ray leaves the cell where the least of the three `next` is. Visit the cell for the
-    // part of the ray up to there, or to range.max; stop where the walk has come beyond range.max, or where
-    // this axis is at its last boundary. Else move on by one cell along this axis: the next boundary, the new
-    // `next` from its number, not from the old one, and the cell's number by the stride.
+    // 09.11  Visit the cells, each for the part of the ray in it, until a visit says so, the range
+    // ends, or the axis along which the ray leaves its cell is at its last boundary. Compute each boundary's
+    // `next` from its number, not from the old one.
     return todo("09.11");
 }
 
@@ -64,20 +63,16 @@ bool search_cells(const Grid& grid, Search& search, Interval part);
 
 /// Asks the shapes that the cell lists; t is the part of the ray in it. Returns whether the search is over.
 bool ask_cell(const Grid& grid, std::size_t number, Interval t, Search& search) {
-    // 09.12  The cell's shapes are grid.items from number grid.first[number] up to, but not
-    // including, grid.first[number + 1]. If there are any, call search.ask for them, all at once, and keep in
-    // search.end what it returns. Return true if nothing that is left can be as near as search.end: a hit
-    // that was found may lie in a later cell, where others are nearer, and just at t.max another may be as
-    // near.
+    // 09.12  Ask the shapes that the cell lists, all at once, if there are any, and keep in
+    // search.end what `ask` returns. Return whether nothing that is left can be as near as search.end.
     return todo("09.12");
 }
 
 /// Asks the cells of the grid that a cell has of its own; t is the part of the ray in the outer cell. Returns
 /// whether the search is over.
 bool search_inner(const Grid& inner, Interval t, Search& search) {
-    // 09.14  Search the inner grid's cells (search_cells) in the part t. If that does not end the
-    // search, it may be over all the same, as in 09.12: the inner grid is only as large as its shapes, and
-    // the ray may have left it long before t.max.
+    // 09.14  Search the inner grid in the part t of the ray, and return whether the search is over
+    // then, in the outer grid, too.
     return todo("09.14");
 }
 
@@ -96,18 +91,15 @@ bool search_cells(const Grid& grid, Search& search, Interval part) {
 }  // namespace
 
 Boundaries boundaries_along(const GridShape& shape, const Ray& ray, int axis) {
-    // 09.9  t0 = (low − o)/d, and delta = cell_size/d, where cell_size is edge/cells. Where one of
-    // these is not finite, return Boundaries as they are made. Else delta says which way the ray goes: up,
-    // the last boundary is number `cells`; down, it is number 0.
+    // 09.9  Return where the ray meets the boundaries, and the last of them on its way; all 0 where
+    // t0 or delta would not be finite.
     return todo("09.9");
 }
 
 int cell_at(const GridShape& shape, const Ray& ray, int axis, const Boundaries& boundaries, Real t) {
-    // 09.10  Roughly by division: how many cells away from the low side of the box the ray is at t,
-    // as a real number, brought into 0 … cells − 1 and rounded down. Then, because that rounds, step by step
-    // until boundaries t0 + i · delta say the same: on while the boundary ahead is met at t or before, back
-    // while the one behind is met after t. The ray has no cell before the first, and none after the last. If
-    // `step` is 0 there are no boundaries to ask, and the ray is as far from the low side as its origin.
+    // 09.10  Return the cell in which the ray is at t. The boundaries decide, as t0 + i · delta
+    // computes them; a division can only guess where to begin. Where `step` is 0 it is the cell of the
+    // origin.
     return todo("09.10");
 }
 

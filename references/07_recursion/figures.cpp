@@ -1,17 +1,27 @@
 // Draws the figures of lesson 7 into the directory that it is given.
 // Numbers in the figures are computed here, by the course's own functions where there is one.
 #include "references/figures.hpp"
+#include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/07_recursion/optics.hpp"
 #include "common/render/trace.hpp"
 #include "tests/stability/optics.hpp"
 
 #include <array>
+#include <deque>
 #include <functional>
 
 using namespace rt;
 using namespace rt::figures;
 
 namespace {
+
+/// Words that can be read when the figure is shown at half its size.
+const SvgFont words{.size = 16};
+const SvgFont remark{.size = 16, .color = "#666666"};
+
+/// Numbers of the lesson that have no figure of their own: what each is, and its value.
+std::string numbers = "name,value\n";
+void note_number(const std::string& name, const std::string& value) { numbers += name + "," + value + "\n"; }
 
 const char* color_of(RayKind kind) {
     return kind == RayKind::Camera ? ink : kind == RayKind::Reflection ? red : blue;
@@ -42,8 +52,8 @@ void draw_tree(const Path& directory) {
     polygon(svg, ball, {.stroke = sky, .width = 2, .fill = "#eaf5fc"});
     rectangle(svg, {15, 280}, {325, 9}, {.stroke = "none", .fill = light});
     line(svg, {15, 280}, {340, 280}, {.width = 2});
-    text(svg, {20, 308}, "mirror, specular 0.7", note);
-    text(svg, place({0.9, 1.75, 0}), "glass", note);
+    text(svg, {20, 308}, "mirror, specular 0.7", remark);
+    text(svg, place({0.9, 1.75, 0}), "glass", remark);
 
     // Where in the second picture each ray has its node: a row a depth, leaves one beside the other.
     std::vector<std::vector<std::size_t>> children(tree.size());
@@ -71,28 +81,28 @@ void draw_tree(const Path& directory) {
         if (i > 0) line(svg, node[static_cast<std::size_t>(r.parent)], node[i], style);
     }
     dot_at(svg, place(ray.origin), purple, 6);
-    text(svg, place(ray.origin) + Vec2(-8, -12), "eye", small);
+    text(svg, place(ray.origin) + Vec2(-8, -12), "eye", words);
     for (std::size_t i = 0; i < tree.size(); ++i) {
         const TraceRecord& r = tree[i];
         circle(svg, node[i], 9, {.stroke = color_of(r.branch.kind), .width = 2, .fill = "#ffffff"});
         const bool glass = r.hit && world.materials[r.material].transmission.x > 0;
-        text(svg, node[i] + Vec2(0, 4.5), !r.hit ? "s" : glass ? "g" : "m", middle(SvgFont{.size = 12}));
-        text(svg, node[i] + Vec2(13, 5), decimal(r.branch.weight.y, r.branch.weight.y < 0.1 ? 3 : 2),
-             {.size = 12, .color = ink});
+        text(svg, node[i] + Vec2(0, 4.5), !r.hit ? "s" : glass ? "g" : "m", middle(SvgFont{.size = 14}));
+        text(svg, node[i] + Vec2(14, 6), decimal(r.branch.weight.y, r.branch.weight.y < 0.1 ? 3 : 2),
+             {.size = 15, .color = ink});
     }
-    text(svg, {372, 385}, "g glass, m mirror, s sky; beside: weight", note);
-    text(svg, {20, 345}, "red: reflected, blue: refracted", note);
-    text(svg, {20, 365}, "the thicker, the more it weighs", note);
+    text(svg, {372, 385}, "g glass, m mirror, s sky; with weights", remark);
+    text(svg, {20, 345}, "red: reflected, blue: refracted", remark);
+    text(svg, {20, 365}, "the thicker, the more it weighs", remark);
     write_svg(directory / "tree.svg", svg);
 }
 
 // Snell ------------------------------------------------------------------------------------------------
 
 void draw_snell(const Path& directory) {
-    Svg svg{.width = 700, .height = 370};
+    Svg svg{.width = 700, .height = 390};
     const std::array<const char*, 4> colors{green, blue, orange, red};
-    const auto draw = [&](Vec2 center, bool into, const std::vector<Real>& angles, const char* words) {
-        text(svg, {center.x, 26}, words, heading);
+    const auto draw = [&](Vec2 center, bool into, const std::vector<Real>& angles, const char* title) {
+        text(svg, {center.x, 26}, title, heading);
         const Real eta = into ? 1 / 1.5 : 1.5, y = into ? 0 : -130;
         rectangle(svg, center + Vec2(-160, y), {320, 130}, {.stroke = "none", .fill = "#eaf5fc"});
         line(svg, center + Vec2(-160, 0), center + Vec2(160, 0), {.stroke = sky, .width = 2});
@@ -105,18 +115,18 @@ void draw_snell(const Path& directory) {
             line(svg, at(-d), center, style);
             const auto t = refract(d, n, eta);
             arrow(svg, center, at(t ? *t : reflect(d, n)), style, 8);
-            text(svg, center + 138.0 * Vec2(-d.x, d.y) + Vec2(0, 4), decimal(angles[i], 1) + "°",
-                 middle(colored(small, colors[i])));
+            text(svg, center + 144.0 * Vec2(-d.x, d.y) + Vec2(0, 5), decimal(angles[i], 1) + "°",
+                 middle(colored(words, colors[i])));
             const Real out = t ? std::asin(t->x) * 180 / pi : 0;
             if (t && angles[i] > 0)
-                text(svg, center + 138.0 * Vec2(t->x, -t->y) + Vec2(0, 8), decimal(out, 1) + "°",
-                     middle(colored(small, colors[i])));
+                text(svg, center + 146.0 * Vec2(t->x, -t->y) + Vec2(0, 6), decimal(out, 1) + "°",
+                     middle(colored(words, colors[i])));
         }
     };
-    draw({178, 190}, true, {20, 45, 75}, "Into glass, eta = 1/1.5");
-    draw({522, 190}, false, {15, 30, 41.5, 55}, "Out of glass, eta = 1.5");
-    text(svg, {350, 356}, "Out of glass nothing is refracted beyond 41.8°: the red ray is mirrored whole.",
-         middle(note));
+    draw({178, 200}, true, {15, 45, 75}, "Into glass, eta = 1/1.5");
+    draw({522, 200}, false, {12, 28, 41.5, 55}, "Out of glass, eta = 1.5");
+    text(svg, {350, 372}, "Out of glass nothing is refracted beyond 41.8°: the red ray is mirrored whole.",
+         middle(remark));
     write_svg(directory / "snell.svg", svg);
 }
 
@@ -157,16 +167,19 @@ void draw_fresnel(const Path& directory) {
         polyline(svg, approximate[k], {.stroke = color, .width = 2, .dash = "6 4"});
         polyline(svg, error[k], {.stroke = color, .width = 1.6});
     }
-    text(svg, plot.place(52, 0.22), "into glass", colored(small, blue));
-    text(svg, plot.place(27, 0.6), "out of glass", colored(small, red));
-    text(svg, plot.place(3, 0.86), "solid: Fresnel; dashed: Schlick", note);
-    text(svg, below.place(3, 0.035), "Schlick − Fresnel", note);
-    text(svg, {370, 432}, "angle of incidence", middle(small));
+    text(svg, plot.place(52, 0.22), "into glass", colored(words, blue));
+    text(svg, plot.place(27, 0.6), "out of glass", colored(words, red));
+    text(svg, plot.place(3, 0.86), "solid: Fresnel; dashed: Schlick", remark);
+    text(svg, below.place(3, 0.035), "Schlick − Fresnel", remark);
+    text(svg, {370, 432}, "angle of incidence", middle(words));
     write_svg(directory / "fresnel.svg", svg);
     write_file(directory / "fresnel.csv", csv);
     for (std::size_t k = 0; k < 2; ++k)
-        std::cout << "Schlick " << (k == 0 ? "into" : "out of") << " glass: worst " << decimal(worst[k], 4)
-                  << " at " << decimal(worst_at[k], 1) << " degrees\n";
+        note_number(std::string("greatest error of Schlick's approximation ") + (k == 0 ? "into" : "out of") +
+                        " glass",
+                    decimal(std::abs(worst[k]), 4));
+    note_number("critical angle of glass in degrees", decimal(std::asin(1 / 1.5) * 180 / pi, 2));
+    note_number("part that glass mirrors of straight light", decimal(fresnel(1, 1 / 1.5), 4));
 }
 
 // Cancellation -----------------------------------------------------------------------------------------
@@ -196,22 +209,42 @@ void draw_cancellation(const Path& directory) {
         std::snprintf(row, sizeof row, "%.3g,%.2g,%.2g\n", cosine, textbook, ours);
         csv += row;
     }
-    text(svg, plot.place(1e-5, 3e-9), "1 − eta²·(1 − cos²)", colored(small, red));
-    text(svg, plot.place(2e-10, 1.5e-15), "(1 − eta)·(1 + eta) + (eta·cos)²", colored(small, blue));
-    text(svg, {370, 305}, "cosine of the angle of incidence (left: grazing)", middle(small));
-    text(svg, {28, 152}, "error of the direction", {.size = 13, .anchor = "middle", .turn = -90});
-    text(svg, {370, 325}, "Points at the bottom have no error at all.", middle(note));
+    text(svg, plot.place(1e-5, 3e-9), "1 − eta²·(1 − cos²)", colored(words, red));
+    text(svg, plot.place(2e-10, 1.5e-15), "(1 − eta)·(1 + eta) + (eta·cos)²", colored(words, blue));
+    text(svg, {370, 305}, "cosine of the angle of incidence (left: grazing)", middle(words));
+    text(svg, {28, 152}, "error of the direction", {.size = 16, .anchor = "middle", .turn = -90});
+    text(svg, {370, 328}, "Points at the bottom have no error at all.", middle(remark));
     write_svg(directory / "cancellation.svg", svg);
     write_file(directory / "cancellation.csv", csv);
+}
+
+/// How many of 1000 random cases between nearly equal media break the bound of the tests.
+void count_failures() {
+    const auto families = stability::interface_families();
+    const auto nearly_equal =
+        std::find_if(families.begin(), families.end(), [](const stability::InterfaceFamily& family) {
+            return std::string(family.name).starts_with("nearly equal media");
+        });
+    const std::vector<stability::InterfaceCase> questions = nearly_equal->make(100'000, 7);
+    const auto failures = [&](auto method) {
+        std::vector<std::optional<Vec3>> answers;
+        for (const stability::InterfaceCase& q : questions) answers.push_back(method(q.d, q.n, q.eta));
+        const auto wrong = static_cast<Real>(stability::judge_refraction(questions, answers).mismatches);
+        return decimal(wrong / static_cast<Real>(questions.size()) * 100, 1);
+    };
+    note_number("wrong of 100 between nearly equal media by the textbook's form",
+                failures(naive::refract_cancelling));
+    note_number("wrong of 100 between nearly equal media by ours", failures(refract));
 }
 
 // Media ------------------------------------------------------------------------------------------------
 
 void draw_media(const Path& directory) {
-    Svg svg{.width = 700, .height = 330};
+    Svg svg{.width = 700, .height = 340};
     const auto draw = [&](Real left, const char* title, const std::string& objects,
                           const std::vector<std::pair<Vec2, Real>>& circles,
-                          const std::vector<std::string>& names, Real height) {
+                          const std::vector<std::string>& names, const std::array<Vec2, 2>& name_at,
+                          Real height) {
         text(svg, {left + 165, 26}, title, heading);
         const World world = compile(parse_scene_text(
             "size 4 4\nmaxdepth 9\ncamera -9 0 0 0 0 0 0 1 0 45\nambient 0 0 0\ntransmission 1 1 1\n" +
@@ -222,6 +255,9 @@ void draw_media(const Path& directory) {
         for (std::size_t i = 0; i < circles.size(); ++i)
             circle(svg, place({circles[i].first.x, circles[i].first.y, 0}), 48 * circles[i].second,
                    {.stroke = sky, .width = 1.5, .fill = fills[i], .opacity = 0.85});
+        for (std::size_t i = 0; i < circles.size(); ++i)
+            text(svg, place({circles[i].first.x, circles[i].first.y, 0}) + name_at[i], names[i],
+                 middle(remark));
         const auto tree = trace_tree(world, {{-3.1, height, 0}, {1, 0, 0}});
         for (const TraceRecord& r : tree) {
             const Vec3& o = r.branch.ray.origin;
@@ -233,15 +269,15 @@ void draw_media(const Path& directory) {
             const std::size_t step = static_cast<std::size_t>(&r - tree.data());
             const Vec2 at = place(0.5 * (o + end));
             dot_at(svg, at, "#ffffff", 8);
-            text(svg, at + Vec2(0, 5), std::to_string(step + 1), middle(colored(small, ink)));
-            text(svg, {left + 20 + (step >= 3 ? 165.0 : 0), 275 + 19 * static_cast<Real>(step % 3)},
-                 std::to_string(step + 1) + ": [" + inside + "]", small);
+            text(svg, at + Vec2(0, 5), std::to_string(step + 1), middle(colored(words, ink)));
+            text(svg, {left + 16 + (step >= 3 ? 185.0 : 0), 284 + 21 * static_cast<Real>(step % 3)},
+                 std::to_string(step + 1) + ": [" + inside + "]", words);
         }
     };
     draw(0, "Glass in water", "ior 1.33\nsphere 0 0 0 2\nior 1.5\nsphere 0 0 0 1\n",
-         {{{0, 0}, 2}, {{0, 0}, 1}}, {"water", "glass"}, 0.55);
+         {{{0, 0}, 2}, {{0, 0}, 1}}, {"water", "glass"}, {Vec2(0, 78), Vec2(0, 30)}, 0.55);
     draw(350, "Two that overlap", "ior 1.5\nsphere -.7 0 0 1.5\nior 1.33\nsphere .7 0 0 1.5\n",
-         {{{-0.7, 0}, 1.5}, {{0.7, 0}, 1.5}}, {"glass", "water"}, 0.5);
+         {{{-0.7, 0}, 1.5}, {{0.7, 0}, 1.5}}, {"glass", "water"}, {Vec2(-32, 40), Vec2(32, 40)}, 0.5);
     write_svg(directory / "media.svg", svg);
 }
 
@@ -256,19 +292,23 @@ Real rmse(const Image& image, const Image& truth) {
     return std::sqrt(sum / static_cast<Real>(3 * image.pixels.size()));
 }
 
+/// A floor that mirrors makes the trees large.
+void mirror_the_floor(Scene& scene) {
+    for (Material& m : scene.materials)
+        if (m.transmission == Vec3(0) && !(m.diffuse == Vec3(0))) m.specular = Vec3(0.4);
+}
+
 void measure_termination(const Path& directory) {
     constexpr std::size_t repeats = 9;
     Scene scene = scene_beside(__FILE__, "fresnel");
     scene.width = 160, scene.height = 120;
-    // A floor that mirrors makes the trees large.
-    for (Material& m : scene.materials)
-        if (m.transmission == Vec3(0) && !(m.diffuse == Vec3(0))) m.specular = Vec3(0.4);
+    mirror_the_floor(scene);
     scene.max_depth = 40;
     scene.min_contribution = 1e-7;
     const RenderResult truth = render(compile(scene), {});
-    std::string csv = "method,value,milliseconds,rmse,rays\n";
+    std::string csv = "rule,milliseconds,rmse,rays\n";
     struct Point {
-        std::string words;
+        std::string value;
         World world;
         Real error;
         std::uint64_t rays;
@@ -276,11 +316,11 @@ void measure_termination(const Path& directory) {
         std::array<Real, repeats> times = {};
     };
     std::array<std::vector<Point>, 2> curves;
-    const auto add = [&](std::size_t method, const std::string& words) {
+    const auto add = [&](std::size_t method, const std::string& value) {
         const World world = compile(scene);
         const RenderResult result = render(world, {1, {}});
         const std::uint64_t rays = result.rays.camera + result.rays.reflection + result.rays.refraction;
-        curves[method].push_back({words, world, rmse(result.image, truth.image), rays});
+        curves[method].push_back({value, world, rmse(result.image, truth.image), rays});
     };
     scene.min_contribution = 0;
     for (const int depth : {0, 1, 2, 3, 4, 5, 6, 8, 10, 12}) {
@@ -301,8 +341,8 @@ void measure_termination(const Path& directory) {
             std::sort(p.times.begin(), p.times.end());
             p.time = p.times[repeats / 2];
             char row[120];
-            std::snprintf(row, sizeof row, "%s,%s,%.2f,%.3g,%llu\n",
-                          &curve == &curves[0] ? "depth" : "contribution", p.words.c_str(), p.time, p.error,
+            std::snprintf(row, sizeof row, "%s %s,%.2f,%.3g,%llu\n",
+                          &curve == &curves[0] ? "depth" : "contribution", p.value.c_str(), p.time, p.error,
                           static_cast<unsigned long long>(p.rays));
             csv += row;
         }
@@ -332,20 +372,21 @@ void measure_termination(const Path& directory) {
         polyline(svg, points, {.stroke = color, .width = 2});
         for (std::size_t i = 0; i < points.size(); ++i) {
             dot_at(svg, points[i], color, 4);
-            text(svg, points[i] + (k == 0 ? Vec2(8, -4) : Vec2(-8, 14)), curves[k][i].words,
-                 {.size = 12, .color = color, .anchor = k == 0 ? "start" : "end"});
+            text(svg, points[i] + (k == 0 ? Vec2(8, -4) : Vec2(-8, 14)), curves[k][i].value,
+                 {.size = 15, .color = color, .anchor = k == 0 ? "start" : "end"});
         }
     }
-    text(svg, {440, 70}, "by depth (maxdepth)", colored(small, blue));
-    text(svg, {440, 90}, "by contribution (mincontribution)", colored(small, red));
-    text(svg, {370, 382}, "CPU time of one thread, median of 9", middle(small));
-    text(svg, {24, 190}, "RMSE to the truth", {.size = 13, .anchor = "middle", .turn = -90});
+    text(svg, {410, 70}, "by depth (maxdepth)", colored(words, blue));
+    text(svg, {410, 92}, "by mincontribution", colored(words, red));
+    text(svg, {370, 382}, "CPU time of one thread, median of 9", middle(words));
+    text(svg, {24, 190}, "RMSE to the truth", {.size = 16, .anchor = "middle", .turn = -90});
     write_svg(directory / "measured_termination.svg", svg);
 }
 
 void measure_whitted(const Path& directory) {
     const World world = compile(scene_beside(__FILE__, "whitted"));
-    std::string csv = "threads,milliseconds,cpu_milliseconds,rays,million_rays_per_second\n";
+    std::string csv =
+        "threads,milliseconds,cpu_milliseconds,rays,million_rays_per_second,times faster than 74 minutes\n";
     for (const int threads : {1, 2}) {
         std::array<Real, 5> times{};
         Real cpu = 0;
@@ -358,13 +399,108 @@ void measure_whitted(const Path& directory) {
             cpu += 1000 * result.cpu_seconds / static_cast<Real>(times.size());
         }
         std::sort(times.begin(), times.end());
-        char row[100];
-        std::snprintf(row, sizeof row, "%d,%.0f,%.0f,%llu,%.2f\n", threads, 1000 * times[2], cpu,
-                      static_cast<unsigned long long>(rays), static_cast<Real>(rays) / times[2] / 1e6);
+        char row[120];
+        std::snprintf(row, sizeof row, "%d,%.0f,%.0f,%llu,%.2f,%.0f\n", threads, 1000 * times[2], cpu,
+                      static_cast<unsigned long long>(rays), static_cast<Real>(rays) / times[2] / 1e6,
+                      74 * 60 / times[2]);
         csv += row;
     }
     write_file(directory / "measured_whitted.csv", csv);
-    std::cout << csv;
+}
+
+// The stack ---------------------------------------------------------------------------------------------
+
+/// How many rays wait at once, at most, for any pixel, where the last or the first of them is taken.
+std::size_t most_waiting(const World& world, bool take_last) {
+    std::size_t most = 0;
+    for (int y = 0; y < world.view.height; ++y)
+        for (int x = 0; x < world.view.width; ++x) {
+            std::deque<Branch> waiting(1);
+            waiting[0].ray = pixel_ray(world.view, x + 0.5, y + 0.5);
+            while (!waiting.empty()) {
+                most = std::max(most, waiting.size());
+                const Branch b = take_last ? waiting.back() : waiting.front();
+                if (take_last)
+                    waiting.pop_back();
+                else
+                    waiting.pop_front();
+                const auto met = closest_hit(world, b.ray, Interval{0, infinity});
+                if (!met) continue;
+                const Surface s = surface_at(world, b.ray, *met);
+                const Branches sent = scatter(world, b, *met, s, material_at(world, *met, s));
+                for (int k = 0; k < sent.count; ++k)
+                    waiting.push_back(sent.branch[static_cast<std::size_t>(k)]);
+            }
+        }
+    return most;
+}
+
+void count_waiting() {
+    Scene scene = scene_beside(__FILE__, "fresnel", 160, 120);
+    mirror_the_floor(scene);
+    scene.max_depth = 12;
+    const World world = compile(scene);
+    note_number("most rays that wait at depth 12 if the last is taken",
+                std::to_string(most_waiting(world, true)));
+    note_number("most rays that wait at depth 12 if the first is taken",
+                std::to_string(most_waiting(world, false)));
+    note_number(
+        "rays of pixel (200; 250)",
+        std::to_string(trace_tree(compile(scene_beside(__FILE__, "whitted")),
+                                  pixel_ray(compile(scene_beside(__FILE__, "whitted")).view, 200.5, 250.5))
+                           .size()));
+}
+
+// Mistakes ----------------------------------------------------------------------------------------------
+
+enum class Mistake { UpsideDown, TotalIsLost, NoOffset, NoWeights };
+
+/// What arrives along a ray, by a function that calls itself, with a mistake in it.
+Vec3 seen(const World& world, const Branch& b, Mistake mistake) {
+    const auto met = closest_hit(world, b.ray, Interval{0, infinity});
+    if (!met) return background(world, b.ray.direction);
+    const Surface s = surface_at(world, b.ray, *met);
+    const Material m = material_at(world, *met, s);
+    const Vec3& d = b.ray.direction;
+    const Vec3 facing = dot(s.shading_normal, d) > 0 ? -s.shading_normal : s.shading_normal;
+    Vec3 color = local_light(world, s, m, facing, -d);
+    const Branches sent = scatter(world, b, *met, s, m);
+    const bool total = sent.count == 1 && m.transmission.x > 0 && sent.branch[0].kind == RayKind::Reflection;
+    for (int k = 0; k < sent.count; ++k) {
+        Branch one = sent.branch[static_cast<std::size_t>(k)];
+        Vec3 factor = one.weight;
+        one.weight = Vec3(1);
+        if (mistake == Mistake::NoWeights) factor = Vec3(1);
+        if (mistake == Mistake::TotalIsLost && total) factor = m.specular;
+        if (mistake == Mistake::NoOffset) one.ray.origin = s.point;
+        if (mistake == Mistake::UpsideDown && one.kind == RayKind::Refraction) {
+            const auto bent = refract(d, facing, ior(world, one.media) / ior(world, b.media));
+            if (!bent) continue;
+            one.ray.direction = *bent;
+        }
+        color += factor * seen(world, one, mistake);
+    }
+    return color;
+}
+
+/// The ball of glass, or Whitted's picture, with the mistakes that the lesson names.
+void draw_mistakes(const Path& directory) {
+    std::vector<Image> images;
+    for (const auto& [name, mistake] : {std::pair{"glass", Mistake::UpsideDown},
+                                        {"whitted", Mistake::TotalIsLost},
+                                        {"glass", Mistake::NoOffset},
+                                        {"whitted", Mistake::NoWeights}}) {
+        const World world = compile(scene_beside(__FILE__, name, 300, 225));
+        Image image = make_image(world.view.width, world.view.height);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) {
+                Branch camera;
+                camera.ray = pixel_ray(world.view, x + 0.5, y + 0.5);
+                pixel(image, x, y) = seen(world, camera, mistake);
+            }
+        images.push_back(image);
+    }
+    write_image(directory / "mistakes.png", in_rows(images, 2));
 }
 
 // Pictures ---------------------------------------------------------------------------------------------
@@ -387,7 +523,11 @@ void draw_all(const Path& directory) {
     draw_cancellation(directory);
     draw_media(directory);
     draw_depths(directory);
+    draw_mistakes(directory);
     draw_scenes(directory, __FILE__, {"whitted", "mirrors", "glass", "neighbours", "fresnel", "tir", "ice"});
+    count_failures();
+    count_waiting();
+    write_file(directory / "numbers.csv", numbers);
     measure_whitted(directory);
     measure_termination(directory);
 }

@@ -18,6 +18,17 @@ using namespace rt::figures;
 
 namespace {
 
+/// Words that can be read when the figure is shown at half its size.
+const SvgFont label{.size = 15};
+const SvgFont remark{.size = 15, .color = "#666666"};
+
+/// Numbers of the lesson that have no figure of their own: what each is, and its value.
+std::string numbers = "name,value\n";
+template <class Value>
+void note_number(const std::string& name, const Value& value) {
+    numbers += fmt::format("{},{}\n", name, value);
+}
+
 // Curves ------------------------------------------------------------------------------------------------
 
 /// Lines and words at the powers of ten, and what the axes show.
@@ -27,8 +38,8 @@ void draw_axes(Svg& svg, const Plot& plot, const std::string& x_words, const std
                        static_cast<int>(std::floor(std::log10(axis.high))));
     };
     draw_axes(svg, plot, ticks(plot.x), ticks(plot.y));
-    text(svg, plot.corner + Vec2(plot.size.x / 2, plot.size.y + 42), x_words, middle(SvgFont{.size = 14}));
-    text(svg, plot.corner + Vec2(0, -12), y_words, {.size = 14});
+    text(svg, plot.corner + Vec2(plot.size.x / 2, plot.size.y + 42), x_words, middle(SvgFont{.size = 16}));
+    text(svg, plot.corner + Vec2(0, -12), y_words, {.size = 16});
 }
 
 void draw_curve(Svg& svg, const Plot& plot, const std::vector<Vec2>& curve, const char* color,
@@ -78,8 +89,8 @@ void draw_slabs(const Path& directory) {
     const std::array<Real, 2> tx{x_at(box.low.x), x_at(box.high.x)}, ty{y_at(box.low.y), y_at(box.high.y)};
     for (const Real t : tx) dot_at(svg, at(t), blue, 5);
     for (const Real t : ty) dot_at(svg, at(t), red, 5);
-    text(svg, place(2.4, 3.35) + Vec2(6, 16), "between the x planes", colored(small, blue));
-    text(svg, place(0, 2.9) + Vec2(6, 18), "between the y planes", colored(small, red));
+    text(svg, place(2.4, 3.35) + Vec2(6, 16), "between the x planes", colored(label, blue));
+    text(svg, place(0, 2.9) + Vec2(6, 18), "between the y planes", colored(label, red));
     // The same on the t axis.
     const Interval inside = clip(box, ray, {0, infinity}).value_or(Interval{0, 0});
     const auto on_axis = [](Real t) { return 67 + 92 * t; };
@@ -89,12 +100,12 @@ void draw_slabs(const Path& directory) {
         line(svg, {on_axis(spans[i].first[0]), y}, {on_axis(spans[i].first[1]), y},
              {.stroke = spans[i].second, .width = 5});
         text(svg, {on_axis(spans[i].first[0]) - 10, y + 5}, i == 0 ? "tx₀" : "ty₀",
-             {.size = 14, .color = spans[i].second, .anchor = "end"});
+             {.size = 16, .color = spans[i].second, .anchor = "end"});
         text(svg, {on_axis(spans[i].first[1]) + 10, y + 5}, i == 0 ? "tx₁" : "ty₁",
-             {.size = 14, .color = spans[i].second});
+             {.size = 16, .color = spans[i].second});
     }
     line(svg, {on_axis(inside.min), 380}, {on_axis(inside.max), 380}, {.width = 6});
-    text(svg, {on_axis((inside.min + inside.max) / 2), 373}, "inside both", middle(small));
+    text(svg, {on_axis((inside.min + inside.max) / 2), 373}, "inside both", middle(label));
     arrow(svg, {on_axis(0), 400}, {on_axis(6.3), 400});
     text(svg, {on_axis(6.3) + 8, 405}, "t", {.size = 16, .italic = true});
     for (int t = 0; t <= 6; ++t) {
@@ -167,12 +178,13 @@ void draw_walk(const Path& directory) {
     for (int i = 0; i <= 8; ++i) {
         const Real t = (i - ray.origin.x) / ray.direction.x;
         dot_at(svg, at(t), blue, 4.5);
-        text(svg, place(i, 0) + Vec2(0, 22), fmt::format("x{}: {:.1f}", i, t), middle(colored(small, blue)));
+        text(svg, place(i, 0) + Vec2(0, 22), fmt::format("x{}: {:.1f}", i, t),
+             middle(colored(SvgFont{.size = 14}, blue)));
     }
     for (int i = 0; i <= 4; ++i) {
         const Real t = (i - ray.origin.y) / ray.direction.y;
         dot_at(svg, at(t), red, 4.5);
-        text(svg, place(8, i) + Vec2(12, 5), fmt::format("y{}: {:.1f}", i, t), colored(small, red));
+        text(svg, place(8, i) + Vec2(12, 5), fmt::format("y{}: {:.1f}", i, t), colored(label, red));
     }
     write_svg(directory / "walk.svg", svg);
     std::string csv = "visit,cell x,cell y,t from,t to\n";
@@ -227,8 +239,8 @@ void draw_drift(const Path& directory) {
 void draw_overlap(const Path& directory) {
     const GridShape shape{{{0, 0, -0.5}, {14, 8, 0.5}}, {14, 8, 1}};
     const Triangle triangle{{0.6, 0.5, 0}, {13.3, 6.6, 0}, {12.2, 7.5, 0}};
-    const auto place = [](Real x, Real y) { return Vec2(42 + 44 * x, 372 - 44 * y); };
-    Svg svg{.width = 700, .height = 390};
+    const auto place = [](Real x, Real y) { return Vec2(42 + 44 * x, 380 - 44 * y); };
+    Svg svg{.width = 700, .height = 396};
     int by_box = 0, by_axes = 0;
     for (int x = 0; x < 14; ++x)
         for (int y = 0; y < 8; ++y) {
@@ -249,8 +261,8 @@ void draw_overlap(const Path& directory) {
     rectangle(svg, place(box.low.x, box.high.y),
               {44 * (box.high.x - box.low.x), 44 * (box.high.y - box.low.y)},
               {.stroke = ink, .width = 1.3, .dash = "5 4"});
-    text(svg, {42, 14}, fmt::format("{} cells meet the box around it, {} the triangle", by_box, by_axes),
-         {.size = 14});
+    text(svg, {42, 16}, fmt::format("{} cells meet the box around it, {} the triangle", by_box, by_axes),
+         {.size = 16});
     write_svg(directory / "overlap.svg", svg);
 
     // The same in space: a triangle across a cube of n × n × n cells.
@@ -277,7 +289,7 @@ void draw_behind(const Path& directory) {
     const auto place = [](Real x, Real y) { return Vec2(60 + 116 * x, 215 - 92 * y); };
     for (int i = 0; i < 5; ++i) rectangle(svg, place(i, 1.5), {116, 138}, {.stroke = grey, .width = 1.2});
     for (int i = 0; i < 5; ++i)
-        text(svg, place(i + 0.5, 0) + Vec2(0, 20), std::to_string(i + 1), middle(note));
+        text(svg, place(i + 0.5, 0) + Vec2(0, 20), std::to_string(i + 1), middle(remark));
     const std::array<Vec2, 3> large{place(0.45, 0.1), place(4.75, 1.38), place(4.86, 1.2)};
     polygon(svg, large, {.stroke = blue, .width = 1.6, .fill = "#dcebf5"});
     const std::array<Vec2, 3> near{place(2.42, 0.95), place(2.7, 0.62), place(2.62, 1.2)};
@@ -291,9 +303,9 @@ void draw_behind(const Path& directory) {
     };
     dot_at(svg, meet(large[0], large[1]), blue, 5.5);
     dot_at(svg, meet(near[0], near[2]), red, 5.5);
-    text(svg, place(0.1, 1.28), "asked here …", colored(SvgFont{.size = 14}, blue));
-    text(svg, place(3.5, 0.62), "… hit in cell 4", middle(colored(SvgFont{.size = 14}, blue)));
-    text(svg, place(2.05, 1.32), "nearer", colored(SvgFont{.size = 14}, red));
+    text(svg, place(0.06, 1.28), "asked here …", colored(SvgFont{.size = 14}, blue));
+    text(svg, place(3.5, 0.5), "… hit in cell 4", middle(colored(SvgFont{.size = 14}, blue)));
+    text(svg, place(2.05, 1.32), "nearer", colored(SvgFont{.size = 16}, red));
     write_svg(directory / "behind.svg", svg);
 }
 
@@ -328,9 +340,19 @@ void draw_heat_scale(const Path& directory) {
     for (std::size_t i = 0; i < 16; ++i) {
         const Vec2 corner(14 + 42 * static_cast<Real>(i), 6);
         rectangle(svg, corner, {42, 20}, {.stroke = grey, .width = 0.5, .fill = heat_colors[i]});
-        text(svg, corner + Vec2(i == 0 ? 21 : 0, 38), words[i], middle(SvgFont{.size = 13}));
+        text(svg, corner + Vec2(i == 0 ? 21 : 0, 38), words[i], middle(SvgFont{.size = 16}));
     }
     write_svg(directory / "heat_scale.svg", svg);
+}
+
+std::vector<Triangle> teapot_of(int fineness) {
+    const Mesh mesh = teapot::tessellate(fineness);
+    std::vector<Triangle> triangles;
+    const auto at = [&](const Mesh::Corner& corner) {
+        return mesh.positions[static_cast<std::size_t>(corner.position)];
+    };
+    for (const auto& [a, b, c] : mesh.triangles) triangles.push_back({at(a), at(b), at(c)});
+    return triangles;
 }
 
 std::vector<Triangle> triangles_of(const World& world) {
@@ -407,12 +429,21 @@ void draw_stadium(const Path& directory) {
     const World world = compile(scene_beside(__FILE__, "stadium", width, height));
     const std::vector<Triangle> triangles = triangles_of(world);
     std::string csv =
-        "accelerator,grids,cells,entries,longest list,bytes a triangle,triangles asked a ray,most,cells "
-        "entered a ray,most\n";
+        "accelerator,grids,cells,entries,longest list,bytes a triangle,triangles asked a ray,most asked,"
+        "cells entered a ray,most entered\n";
     csv += fmt::format("none,0,0,0,0,0,{0},{0},0,0\n", triangles.size());
     std::vector<Image> heats, cuts;
     for (const bool nested : {false, true}) {
         const Grid grid = build_grid(triangles, {.nested = nested});
+        if (!nested) {
+            const std::size_t teapot = teapot_of(40).size();
+            note_number("triangles of the teapot", teapot);
+            note_number("other triangles of the stadium", triangles.size() - teapot);
+            for (int a = 0; a < 3; ++a)
+                note_number(fmt::format("cells of the stadium along {}", "xyz"[a]), grid.shape.cells[a]);
+            const Vec3 size = (grid.shape.box.high - grid.shape.box.low) / Vec3(grid.shape.cells);
+            note_number("edge of the stadium's cells", fmt::format("{:.2f}", size.x));
+        }
         cuts.push_back(cut(grid));
         Image shapes = make_image(width, height), cells = shapes;
         Mailbox mailbox;
@@ -443,14 +474,18 @@ void draw_stadium(const Path& directory) {
 
 /// Shapes and rays of the chapter's scenes, and how many rays a second there are with and without grids.
 void measure_scenes(const Path& directory) {
-    std::string csv = "scene,accelerator,rays,s,rays/s\n";
+    std::string csv = "scene and accelerator,rays,s,rays/s,minutes for all rays\n";
     const std::array<std::pair<AcceleratorChoice, const char*>, 3> accelerators{
         {{AcceleratorChoice::None, "none"},
          {AcceleratorChoice::Grid, "grid"},
          {AcceleratorChoice::Nested, "nested"}}};
-    for (const char* name : {"stadium", "crowd", "forest", "cloud"})
-        for (const auto& [accelerator, words] : accelerators) {
-            // Without grids a picture would take minutes: a small one shows as much.
+    for (const char* name : {"stadium", "crowd", "forest", "cloud"}) {
+        std::array<Real, 3> speeds{};
+        Real rays = 0;
+        std::array<std::string, 3> rows;
+        for (std::size_t i = 0; i < accelerators.size(); ++i) {
+            const auto& [accelerator, words] = accelerators[i];
+            // Without grids a picture would take minutes: a label one shows as much.
             const int width = accelerator == AcceleratorChoice::None   ? 24
                               : accelerator == AcceleratorChoice::Grid ? 160
                                                                        : 320;
@@ -460,25 +495,19 @@ void measure_scenes(const Path& directory) {
             one_thread.threads = 1;
             const RenderResult result = render(compile(scene), one_thread);
             const RayCounts& counts = result.rays;
-            const auto rays =
-                static_cast<Real>(counts.camera + counts.shadow + counts.reflection + counts.refraction);
-            csv += fmt::format("{},{},{:.0f},{:.2g},{:.2g}\n", name, words, rays, result.cpu_seconds,
-                               rays / result.cpu_seconds);
+            rays = static_cast<Real>(counts.camera + counts.shadow + counts.reflection + counts.refraction);
+            speeds[i] = rays / result.cpu_seconds;
+            rows[i] =
+                fmt::format("{} {},{:.0f},{:.2g},{:.2g}", name, words, rays, result.cpu_seconds, speeds[i]);
         }
+        // The last picture is the large one.
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            csv += fmt::format("{},{:.2g}\n", rows[i], rays / speeds[i] / 60);
+    }
     write_file(directory / "measured_scenes.csv", csv);
 }
 
 // Cost as the scene grows -------------------------------------------------------------------------------
-
-std::vector<Triangle> teapot_of(int fineness) {
-    const Mesh mesh = teapot::tessellate(fineness);
-    std::vector<Triangle> triangles;
-    const auto at = [&](const Mesh::Corner& corner) {
-        return mesh.positions[static_cast<std::size_t>(corner.position)];
-    };
-    for (const auto& [a, b, c] : mesh.triangles) triangles.push_back({at(a), at(b), at(c)});
-    return triangles;
-}
 
 /// Rays from a sphere around the teapot towards points of its box.
 std::vector<Ray> rays_around(std::size_t count) {
@@ -596,13 +625,13 @@ void draw_growth(const Path& directory) {
     draw_curve(svg, plot, cells, blue);
     draw_curve(svg, plot, shapes, red);
     text(svg, plot.place(2500, 9000), "asked by brute force",
-         colored(SvgFont{.size = 14, .anchor = "end"}, grey));
+         colored(SvgFont{.size = 16, .anchor = "end"}, "#666666"));
     text(svg, plot.place(1e6, cells.back().y) + Vec2(0, -12),
          fmt::format("cells entered, n^{:.2f}", exponent(tail(cells))),
-         {.size = 14, .color = blue, .anchor = "end"});
-    text(svg, plot.place(1e6, shapes.back().y) + Vec2(0, 26),
+         {.size = 16, .color = blue, .anchor = "end"});
+    text(svg, plot.place(1e6, shapes.back().y) + Vec2(0, 36),
          fmt::format("triangles asked, n^{:.2f}", exponent(tail(shapes))),
-         {.size = 14, .color = red, .anchor = "end"});
+         {.size = 16, .color = red, .anchor = "end"});
     write_svg(directory / "growth.svg", svg);
 }
 
@@ -640,11 +669,133 @@ void draw_density(const Path& directory) {
     draw_axes(svg, plot, "density: cells a triangle", "per ray");
     draw_curve(svg, plot, cells, blue);
     draw_curve(svg, plot, shapes, red);
-    text(svg, plot.place(0.06, cells.front().y) + Vec2(0, -14), "cells entered",
-         colored(SvgFont{.size = 14}, blue));
+    text(svg, plot.place(0.06, cells.front().y) + Vec2(0, 28), "cells entered",
+         colored(SvgFont{.size = 16}, blue));
     text(svg, plot.place(0.06, shapes.front().y) + Vec2(0, -14), "triangles asked",
-         colored(SvgFont{.size = 14}, red));
+         colored(SvgFont{.size = 16}, red));
     write_svg(directory / "density.svg", svg);
+}
+
+// A tree of boxes ---------------------------------------------------------------------------------------
+
+/// The simplest hierarchy there is: each box is cut into halves that hold equally many shapes.
+struct BoxTree {
+    struct Node {
+        Bounds box;
+        std::size_t first, last;  ///< of `order`
+        int axis = -1;            ///< along which it is cut; -1 where it is not
+        std::size_t lower = 0, upper = 0;
+    };
+    std::vector<Node> nodes;
+    std::vector<std::size_t> order;
+};
+
+std::size_t grow(BoxTree& tree, const std::vector<Bounds>& bounds, std::size_t first, std::size_t last) {
+    BoxTree::Node node{{}, first, last};
+    Bounds centres;
+    const auto centre = [&](std::size_t i) { return (bounds[i].low + bounds[i].high) * Real(0.5); };
+    for (std::size_t k = first; k < last; ++k) {
+        const std::size_t i = tree.order[k];
+        node.box = merge(node.box, bounds[i]);
+        centres = merge(centres, {centre(i), centre(i)});
+    }
+    if (last - first > 2) {
+        const Vec3 e = centres.high - centres.low;
+        node.axis = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
+        const std::size_t half = first + (last - first) / 2;
+        const auto at = [&](std::size_t k) { return tree.order.begin() + static_cast<std::ptrdiff_t>(k); };
+        std::nth_element(at(first), at(half), at(last), [&](std::size_t a, std::size_t b) {
+            return centre(a)[node.axis] < centre(b)[node.axis];
+        });
+        node.lower = grow(tree, bounds, first, half);
+        node.upper = grow(tree, bounds, half, last);
+    }
+    tree.nodes.push_back(node);
+    return tree.nodes.size() - 1;
+}
+
+/// Asks the boxes that the ray meets, the nearer half first, and counts: boxes as cells.
+void ask(const BoxTree& tree, std::size_t number, const std::vector<Triangle>& triangles, const Ray& ray,
+         Interval& range, SearchCounts& counts) {
+    const BoxTree::Node& node = tree.nodes[number];
+    ++counts.cells;
+    if (!clip(node.box, ray, range)) return;
+    if (node.axis >= 0) {
+        const bool up = ray.direction[node.axis] > 0;
+        ask(tree, up ? node.lower : node.upper, triangles, ray, range, counts);
+        ask(tree, up ? node.upper : node.lower, triangles, ray, range, counts);
+        return;
+    }
+    for (std::size_t k = node.first; k < node.last; ++k) {
+        ++counts.shapes;
+        if (const auto hit = intersect(triangles[tree.order[k]], ray, range)) range.max = hit->t;
+    }
+}
+
+/// What the grid, the grid of grids and the tree have to do for a ray: teapots, and the stadium.
+void draw_hierarchies(const Path& directory) {
+    std::string csv =
+        "scene,triangles,log2 of them,one grid: cells,one grid: triangles,grid of grids: cells,grid of "
+        "grids: "
+        "triangles,tree: boxes,tree: triangles\n";
+    std::vector<Vec2> grid_curve, tree_curve;
+    const auto measure = [&](const std::string& name, const std::vector<Triangle>& triangles,
+                             const std::vector<Ray>& rays) {
+        std::array<SearchCounts, 3> counts;
+        for (const bool nested : {false, true}) {
+            const Grid grid = build_grid(triangles, {.nested = nested});
+            Mailbox mailbox;
+            for (const Ray& ray : rays) {
+                const SearchCounts one = cost(grid, triangles, ray, mailbox);
+                counts[nested].cells += one.cells, counts[nested].shapes += one.shapes;
+            }
+        }
+        BoxTree tree;
+        std::vector<Bounds> bounds;
+        for (const Triangle& triangle : triangles) {
+            tree.order.push_back(bounds.size());
+            bounds.push_back(bounds_of(triangle));
+        }
+        const std::size_t root = grow(tree, bounds, 0, bounds.size());
+        for (const Ray& ray : rays) {
+            Interval range{0, infinity};
+            ask(tree, root, triangles, ray, range, counts[2]);
+        }
+        const auto n = static_cast<Real>(triangles.size());
+        csv += fmt::format("{},{},{:.1f}", name, triangles.size(), std::log2(n));
+        const auto mean = [&](std::uint64_t sum) {
+            return static_cast<Real>(sum) / static_cast<Real>(rays.size());
+        };
+        for (const SearchCounts& c : counts)
+            csv += fmt::format(",{:.1f},{:.1f}", mean(c.cells), mean(c.shapes));
+        csv += "\n";
+        return std::pair{Vec2(n, mean(counts[0].cells)), Vec2(n, mean(counts[2].cells))};
+    };
+    const std::vector<Ray> rays = rays_around(20'000);
+    for (const int fineness : {2, 4, 7, 13, 22, 40, 70, 125}) {
+        const auto [grid, tree] = measure(fmt::format("teapot {}", fineness), teapot_of(fineness), rays);
+        grid_curve.push_back(grid), tree_curve.push_back(tree);
+    }
+    const World stadium = compile(scene_beside(__FILE__, "stadium", 256, 192));
+    std::vector<Ray> camera;
+    for (int y = 0; y < 192; ++y)
+        for (int x = 0; x < 256; ++x) camera.push_back(pixel_ray(stadium.view, x + 0.5, y + 0.5));
+    measure("stadium", triangles_of(stadium), camera);
+    write_file(directory / "hierarchies.csv", csv);
+
+    Svg svg{.width = 700, .height = 380};
+    const Plot plot{{80, 50}, {570, 270}, {100, 1.2e6, true}, {0, 100}};
+    draw_axes(svg, plot, {{1e2, "10²"}, {1e3, "10³"}, {1e4, "10⁴"}, {1e5, "10⁵"}, {1e6, "10⁶"}},
+              {{0, "0"}, {20, "20"}, {40, "40"}, {60, "60"}, {80, "80"}, {100, "100"}});
+    text(svg, {365, 362}, "triangles of a teapot", middle(SvgFont{.size = 16}));
+    text(svg, {80, 38}, "per ray", {.size = 16});
+    draw_curve(svg, plot, grid_curve, blue);
+    draw_curve(svg, plot, tree_curve, red);
+    text(svg, plot.place(grid_curve[7].x, grid_curve[7].y) + Vec2(-14, -4), "grid: cells entered",
+         colored(SvgFont{.size = 16, .anchor = "end"}, blue));
+    text(svg, plot.place(240, tree_curve[0].y) + Vec2(0, -52), "tree: boxes asked",
+         colored(SvgFont{.size = 16}, red));
+    write_svg(directory / "hierarchies.svg", svg);
 }
 
 // Mistakes ----------------------------------------------------------------------------------------------
@@ -728,6 +879,8 @@ void draw(const Path& directory) {
     measure_scenes(directory);
     draw_growth(directory);
     draw_density(directory);
+    draw_hierarchies(directory);
+    write_file(directory / "numbers.csv", numbers);
     draw_scenes(directory, __FILE__, {"forest", "cloud"}, 240, 180);
     draw_scenes(directory, __FILE__, {"stadium"}, 320, 240);
     draw_scenes(directory, __FILE__, {"crowd"}, 184, 138);

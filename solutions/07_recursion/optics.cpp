@@ -9,8 +9,7 @@ namespace {
 
 /// cosₜ² by Snell's law, negative where reflection is total.
 [[maybe_unused]] Real refracted_cosine_squared(Real cos_i, Real eta) {
-    // [exercise 07.2] Snell's law says sinₜ = eta·sinᵢ, so cosₜ² = 1 − eta²·(1 − cosᵢ²). Return that in the
-    // form (1 − eta)·(1 + eta) + (eta·cosᵢ)², in which the large terms have cancelled on paper already.
+    // [exercise 07.2] Return cosₜ² in that form of the lesson in which nothing cancels.
     return (1 - eta) * (1 + eta) + (eta * cos_i) * (eta * cos_i);
     // [/exercise]
 }
@@ -18,14 +17,14 @@ namespace {
 }  // namespace
 
 Vec3 reflect(const Vec3& d, const Vec3& n) {
-    // [exercise 07.1] Turn the part of d along n around: d − 2(d·n)n.
+    // [exercise 07.1] Return the direction in which d goes on from a mirror with the normal n.
     return d - 2 * dot(d, n) * n;
     // [/exercise]
 }
 
 std::optional<Vec3> refract(const Vec3& d, const Vec3& n, Real eta) {
-    // [exercise 07.2] cosᵢ = −d·n; the function above gives cosₜ². Negative: reflection is total, return
-    // nothing. Only then take the root. The direction is eta·d + (eta·cosᵢ − cosₜ)·n, made a unit vector.
+    // [exercise 07.2] Return the refracted direction, a unit vector, or nothing where reflection is total.
+    // The function above gives cosₜ². No NaN may appear on the way.
     const Real cos_i = -dot(d, n);
     const Real cos_t_squared = refracted_cosine_squared(cos_i, eta);
     // Written so that a NaN, which is not less than 0 either, takes this way out too.
@@ -35,10 +34,8 @@ std::optional<Vec3> refract(const Vec3& d, const Vec3& n, Real eta) {
 }
 
 Real fresnel(Real cos_i, Real eta) {
-    // [exercise 07.3] With cosₜ from Snell's law (where it does not exist, 1 is reflected), the amplitudes
-    // are r∥ = (cosᵢ − eta·cosₜ)/(cosᵢ + eta·cosₜ) and r⊥ = (eta·cosᵢ − cosₜ)/(eta·cosᵢ + cosₜ), and of
-    // unpolarised light the part (r∥² + r⊥²)/2 is reflected. Where cosᵢ is 0, all of it is. Compute
-    // |a − b|/(a + b) as 1 − 2·min(a, b)/(a + b): near 1 only one rounding counts then.
+    // [exercise 07.3] Return the part of unpolarised light that is mirrored, by Fresnel's formulas: 1 where
+    // reflection is total, and where the ray grazes.
     const Real cos_t_squared = refracted_cosine_squared(cos_i, eta);
     if (!(cos_i > 0) || !(cos_t_squared > 0)) return 1;
     const Real cos_t = std::sqrt(cos_t_squared);
@@ -50,8 +47,8 @@ Real fresnel(Real cos_i, Real eta) {
 }
 
 Real schlick(Real cos_i, Real eta) {
-    // [exercise 07.3] F0 = ((1 − eta)/(1 + eta))², and R = F0 + (1 − F0)·(1 − cos)⁵. The cosine is cosᵢ, but
-    // for eta > 1 it is cosₜ (and 1 is reflected where that does not exist).
+    // [exercise 07.3] Return the same by Schlick's approximation, with the cosine on the thinner side: 1
+    // where reflection is total.
     const Real root = (1 - eta) / (1 + eta);
     const Real f0 = root * root;
     Real cosine = cos_i;
@@ -67,12 +64,30 @@ Real schlick(Real cos_i, Real eta) {
 }
 
 Vec3 transmitted(const Vec3& absorption, Real distance) {
-    // [exercise 07.4] exp(−absorption · distance) in each channel; 1 where the absorption is 0, also for an
-    // infinite distance, where 0·∞ would be NaN.
+    // [exercise 07.4] Return what is left in each channel. The distance may be infinite: all is left then in
+    // a channel without absorption.
     Vec3 left(1);
     for (int i = 0; i < 3; ++i)
         if (absorption[i] != 0) left[i] = std::exp(-absorption[i] * distance);
     return left;
+    // [/exercise]
+}
+
+Vec3 soap_film(Real cos_i, Real ior, Real thickness) {
+    // [exercise 07.7] For each polarisation and each of the three `wavelengths`, the part of the light that
+    // comes back when all the waves that do are added up; of unpolarised light, the mean of both.
+    const Real eta = 1 / ior, cos_t = std::sqrt(refracted_cosine_squared(cos_i, eta));
+    const Real along = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+    const Real across = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+    Vec3 part(0);
+    for (int i = 0; i < 3; ++i) {
+        const Real sine = std::sin(2 * pi * ior * thickness * cos_t / wavelengths[i]);
+        for (const Real rho : {along * along, across * across}) {
+            const Real wave = 4 * rho * sine * sine;
+            part[i] += wave / ((1 - rho) * (1 - rho) + wave) / 2;
+        }
+    }
+    return part;
     // [/exercise]
 }
 

@@ -51,11 +51,33 @@ namespace {
         {offset_origin(surface, side), leaving, incoming.ray.time}, weight, incoming.depth + 1, kind, media};
 }
 
+/// The media behind the surface that was hit.
+[[maybe_unused]] Media media_behind(const World& world, const Branch& incoming, const Hit& hit) {
+    const Primitive& primitive = world.primitives[hit.primitive];
+    return cross(incoming.media, {primitive.object, primitive.material});
+}
+
+/// How much of the light that meets a transparent surface is mirrored, and how much goes through.
+struct Shares {
+    Vec3 mirrored{0}, through{0};
+};
+
+/// The shares at this cosine of the angle of incidence, in [0, 1], where reflection is not total.
+[[maybe_unused]] Shares shares(const Material& material, Real cos_i, Real eta) {
+    // [exercise 07.5] With a Fresnel law, exact or Schlick's, a part R is mirrored, and of the rest the part
+    // `transmission` goes through. Where material.fresnel is Fresnel::None, `specular` is mirrored and
+    // `transmission` goes through, whatever the angle.
+    if (material.fresnel == Fresnel::None) return {material.specular, material.transmission};
+    const Real r = material.fresnel == Fresnel::Exact ? fresnel(cos_i, eta) : schlick(cos_i, eta);
+    return {Vec3(r), (1 - r) * material.transmission};
+    // [/exercise]
+}
+
 }  // namespace
 
 Media cross(const Media& media, Medium medium) {
-    // [exercise 07.4] If the object is among the media, remove it: the ray leaves it. Else append the medium:
-    // the ray enters it. The order of the others stays.
+    // [exercise 07.4] Return the media behind the surface: without the object if the ray was inside of it,
+    // else with the medium as the last. The order of the others stays.
     Media after = media;
     const auto same =
         std::find_if(after.begin(), after.end(), [&](const Medium& m) { return m.object == medium.object; });
@@ -69,32 +91,24 @@ Media cross(const Media& media, Medium medium) {
 
 Branches scatter(const World& world, const Branch& incoming, const Hit& hit, const Surface& surface,
                  const Material& material) {
-    // [exercise 07.5] Nothing goes on once incoming.depth is world.max_depth. Let n be the shading normal,
-    // turned against the ray. An opaque material sends one mirror ray with the factor `specular`. A
-    // transparent one: eta = ior(before)/ior(after) with `cross`; R = fresnel or schlick as the material
-    // says; mirror factor R (specular where it says none), refracted factor (1 − R)·transmission. Where
-    // refract_at returns nothing, all light is mirrored: factor 1, direction reflect_totally. `add` above
-    // keeps the books.
+    // [exercise 07.5] The rays that go on, the mirrored one first. None does once incoming.depth is
+    // world.max_depth. An opaque material mirrors `specular` of the light. A transparent one shares it out as
+    // `shares` says; where reflection is total, all of it is mirrored. Use the shading normal, turned against
+    // the ray, and the functions above: `media_behind`, `refract_at`, `reflect_totally`, and `add`, which
+    // appends a ray.
     Branches branches;
     if (incoming.depth >= world.max_depth) return branches;
     const Vec3& d = incoming.ray.direction;
     const Vec3 n = turned_against(surface.shading_normal, d);
-    Vec3 mirror = material.specular;
     if (material.transmission == Vec3(0)) {
-        add(world, branches, incoming, surface, RayKind::Reflection, reflect(d, n), mirror, incoming.media);
+        add(world, branches, incoming, surface, RayKind::Reflection, reflect(d, n), material.specular,
+            incoming.media);
         return branches;
     }
-    const Primitive& primitive = world.primitives[hit.primitive];
-    const Media after = cross(incoming.media, {primitive.object, primitive.material});
+    const Media after = media_behind(world, incoming, hit);
     const Real eta = ior(world, incoming.media) / ior(world, after);
-    Vec3 through = material.transmission;
-    if (material.fresnel != Fresnel::None) {
-        const auto reflectance = material.fresnel == Fresnel::Exact ? fresnel : schlick;
-        const Real r = reflectance(std::min(-dot(d, n), Real(1)), eta);
-        mirror = Vec3(r);
-        through *= 1 - r;
-    }
     const std::optional<Vec3> refracted = refract_at(surface, incoming, n, eta, after);
+    auto [mirror, through] = shares(material, std::min(-dot(d, n), Real(1)), eta);
     if (!refracted) mirror = Vec3(1);
     const Vec3 mirrored = refracted ? reflect(d, n) : reflect_totally(surface, incoming, n, after);
     add(world, branches, incoming, surface, RayKind::Reflection, mirrored, mirror, incoming.media);
@@ -107,12 +121,11 @@ Vec3 radiance(const World& world, const Ray& ray) {
     Branch camera;
     camera.ray = ray;
     camera.media = world.eye_inside;
-    // [exercise 07.6] Keep the rays still to be traced on a stack (a std::vector), at first the camera ray.
-    // While there are any: take the last one off. If world.needs.absorption, multiply its weight by what the
-    // medium leaves of the light on the way to the hit (`left_after`; the way is infinite where nothing is
-    // hit). Where it hits nothing, add weight · background(world, direction of the ray). Else add weight ·
-    // local_light, and push what `scatter` returns, the last branch first, so that the reflected ray is
-    // traced next. Count each pushed ray in ray_counts().reflection or .refraction.
+    // [exercise 07.6] Return the sum over the tree of the camera ray, with the rays that wait on a stack (a
+    // std::vector). Each ray adds its weight times the local_light of its hit, or times the background; what
+    // the medium takes on the way to the hit is taken off its weight first (the way is infinite where nothing
+    // is hit). Of what `scatter` returns, the mirrored ray is traced before the refracted one. Count each ray
+    // that goes on in ray_counts().reflection or .refraction.
     Vec3 sum(0);
     std::vector<Branch> stack{camera};
     while (!stack.empty()) {

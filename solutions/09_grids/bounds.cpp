@@ -15,9 +15,8 @@ namespace {
 Bounds bounds_of_image(const Mat4& m, const Sphere& sphere) {
     const Vec3 center = transform_point(m, sphere.center);
     Vec3 reach;
-    // [exercise 09.1] Fill in `reach`: how far the image reaches from its centre along each axis. A point of
-    // the sphere is centre + radius·n with a unit vector n; along axis a it has moved by radius · (row a of
-    // m) · n, and n may point along that row. A matrix of GLM is indexed m[column][row].
+    // [exercise 09.1] Fill in `reach`: how far the image reaches from its centre along each axis. A matrix of
+    // GLM is indexed m[column][row].
     for (int a = 0; a < 3; ++a) reach[a] = sphere.radius * glm::length(Vec3(m[0][a], m[1][a], m[2][a]));
     // [/exercise]
     return {center - reach, center + reach};
@@ -26,14 +25,13 @@ Bounds bounds_of_image(const Mat4& m, const Sphere& sphere) {
 }  // namespace
 
 Bounds bounds_of(const Sphere& sphere) {
-    // [exercise 09.1] The box that touches the sphere at both ends of each axis.
+    // [exercise 09.1] Return the box that touches the sphere at both ends of each axis.
     return {sphere.center - sphere.radius, sphere.center + sphere.radius};
     // [/exercise]
 }
 
 Bounds bounds_of(const Triangle& triangle) {
-    // [exercise 09.1] The smallest and the greatest coordinates of the corners; glm::min and glm::max work on
-    // vectors, a coordinate at a time.
+    // [exercise 09.1] Return the smallest box around the corners.
     return {glm::min(triangle.a, glm::min(triangle.b, triangle.c)),
             glm::max(triangle.a, glm::max(triangle.b, triangle.c))};
     // [/exercise]
@@ -81,10 +79,9 @@ Bounds merge(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low),
 Bounds grown(const Bounds& box, Real by) { return {box.low - by, box.high + by}; }
 
 std::optional<Interval> clip(const Bounds& box, const Ray& ray, Interval range) {
-    // [exercise 09.2] Along each axis the ray is between the two planes of the box from `near` to `far`:
-    // (low − o)/d and (high − o)/d, in the order in which it meets them. Move near down and far up by
-    // gamma(3) of their sizes (common/math/error.hpp), then cut the range to what is between them.
-    //   – If d is 0 there is no division: the ray is between the planes everywhere, or nowhere.
+    // [exercise 09.2] Return the part of the range in which the ray is inside the box. Widen what is computed
+    // by gamma(3) of its size (common/math/error.hpp), so that nothing is lost.
+    //   – If d is 0, the ray is between the planes of this axis everywhere, or nowhere.
     //   – The box is closed, so an interval of one point is not empty: only min > max is.
     //   – A box with low > high along some axis is empty.
     for (int a = 0; a < 3; ++a) {

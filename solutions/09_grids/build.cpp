@@ -51,10 +51,9 @@ CellBlock block_around(const GridShape& shape, const Bounds& box, Real margin) {
 /// Returns how many there are.
 std::size_t list_cells(const Task& task, const GridShape& shape, std::uint32_t i, const CellBlock& block,
                        std::vector<std::uint32_t>& numbers) {
-    // [exercise 09.7] A loop over all the cells of the block is enough to be right. To be fast, too, ask
-    // task.overlaps(i, box) about the box of a large block first, grown by two margins to be on the safe
-    // side; where the answer is no, none of its cells is asked about. A block in which the shape may be is
-    // cut in two across its longest edge, and each half is listed in the same way.
+    // [exercise 09.7] Append the numbers of the cells, and return how many there are. A loop over all cells
+    // of the block is right; to be fast, too, ask about a large block as a whole first, its box grown by two
+    // margins to be on the safe side.
     const Cells size = block.high - block.low + 1;
     const Bounds box{cell_box(shape, block.low).low, cell_box(shape, block.high).high};
     if (size == Cells(1)) {
@@ -131,10 +130,8 @@ std::size_t refine(const Task& task, Grid& grid, int depth) {
         const std::span<const std::uint32_t> shapes{grid.items.data() + begin, end - begin};
         std::optional<Grid> inner;
         // [exercise 09.13] Where there are more than task.options.crowd shapes in the cell, make `inner` the
-        // flat grid over them. Its box is their box_of_crowd; shape_for gives its cells. It may list at most
-        // 4 · (number of shapes) entries, and at most a quarter of the shapes in an average cell; while it
-        // would list more, halve the numbers of its cells, rounded up, and try again. With one cell it would
-        // be of no use. It may have crowded cells, too: refine it.
+        // flat grid over them, as build.hpp says, and refine it. Leave it empty where it would end with one
+        // cell.
         if (shapes.size() > static_cast<std::size_t>(task.options.crowd)) {
             const Bounds box = box_of_crowd(task, grid.shape, number, shapes);
             GridShape shape = shape_for(task, box, shapes.size());
@@ -167,11 +164,9 @@ std::size_t refine(const Task& task, Grid& grid, int depth) {
 }  // namespace
 
 Cells grid_resolution(const Bounds& box, std::size_t count, Real density, int most) {
-    // [exercise 09.3] With cubes of edge s, axis a has edge_a/s cells. s follows from the number of all
-    // cells, density · count: where k axes share the cells, the number along axis a is the k-th root of
-    // density · count times the ratios edge_a/edge_b to the edges of the k axes. Start with the axes that
-    // have an edge > 0. If that leaves the shortest of them less than one cell, it gets one, and the others
-    // share again. Round to whole numbers, at least 1 and at most `most`.
+    // [exercise 09.3] Return the numbers of cells, density · count in all, as nearly cubes as possible. An
+    // axis without length, or too short for one cell, gets one, and the others share them all. Whole numbers,
+    // at least 1 and at most `most`.
     Cells cells(1);
     const Vec3 edges = box.high - box.low;
     std::vector<int> axes;
@@ -197,17 +192,15 @@ Bounds cell_box(const GridShape& shape, const Cells& cell) {
 }
 
 bool overlaps(const Bounds& shape, const Bounds& box) {
-    // [exercise 09.4] Along each axis the boxes reach from low to high. Where one ends before the other
-    // begins, they are apart; if that is so along no axis, they overlap.
+    // [exercise 09.4] Say whether the boxes have a point in common; that they touch is enough.
     return !(shape.low.x > box.high.x || shape.low.y > box.high.y || shape.low.z > box.high.z ||
              box.low.x > shape.high.x || box.low.y > shape.high.y || box.low.z > shape.high.z);
     // [/exercise]
 }
 
 bool overlaps(const Sphere& sphere, const Bounds& box) {
-    // [exercise 09.5] Measured from the centre, the box reaches from low to high; along each axis find the
-    // nearest place to 0 between them, and the farthest. Compare squares of distances: no root is needed.
-    // Only the surface counts: a box that is wholly inside the sphere does not overlap.
+    // [exercise 09.5] Say whether the sphere's surface may have a point in the box. A box that is wholly
+    // inside the sphere has none.
     const Vec3 low = box.low - sphere.center, high = box.high - sphere.center;
     const Vec3 nearest = glm::clamp(Vec3(0), low, high);
     const Vec3 farthest = glm::max(glm::abs(low), glm::abs(high));
@@ -217,12 +210,9 @@ bool overlaps(const Sphere& sphere, const Bounds& box) {
 }
 
 bool overlaps(const Triangle& triangle, const Bounds& box) {
-    // [exercise 09.6] Two convex things are apart where along some axis all of one lies beyond all of the
-    // other, and for a triangle and a box thirteen axes are enough. Measure from the box's centre, with h
-    // half of its edges. Along the axes of the box 09.4 says it, of the box around the triangle. Along any
-    // other `axis` the box reaches as far as dot(h, abs(axis)) to both sides, and the triangle from the least
-    // to the greatest of dot(axis, corner). Project all three corners, also where two would give the same
-    // without rounding: then any axis is right that says they are apart. Ask the axes first that part most.
+    // [exercise 09.6] Say whether the triangle may have a point in the box: no where one of the thirteen axes
+    // parts them. Along each of them, project all three corners, also where two would give the same without
+    // rounding.
     const Vec3 h = (box.high - box.low) * Real(0.5);
     const Vec3 center = box.low + h;
     const Vec3 a = triangle.a - center, b = triangle.b - center, c = triangle.c - center;
@@ -256,11 +246,8 @@ std::vector<std::uint32_t> cells_with(const GridShape& shape, const CellBlock& b
 
 CellLists lists_by_cell(std::size_t count, std::span<const std::uint32_t> numbers,
                         std::span<const std::uint32_t> ends, std::span<const std::uint32_t> shapes) {
-    // [exercise 09.8] Two passes. The first counts how many shapes each cell gets; the sums of these counts
-    // up to each cell say where its part of `items` ends. The second goes through the shapes from the last to
-    // the first, and puts each in front of what its cells have already: when it is through, the place where a
-    // part ended has become the place where it starts, and the shapes of each cell are in order. `first` has
-    // one number more than there are cells.
+    // [exercise 09.8] Return the lists of the cells, one after another in `items`; each has the shapes in the
+    // order of `shapes`. `first` says where each begins, and has one number more than there are cells.
     CellLists lists{std::vector<std::uint32_t>(count + 1, 0), std::vector<std::uint32_t>(numbers.size())};
     for (const std::uint32_t number : numbers) ++lists.first[number];
     std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
@@ -304,6 +291,27 @@ Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const 
     while (!(grid = flat_grid(task, shape, shapes, most))) shape.cells = (shape.cells + 1) / 2;
     if (options.nested) refine(task, *grid, 1);
     return std::move(*grid);
+}
+
+std::vector<int> king_steps(const Cells& cells, std::span<const std::uint32_t> first) {
+    // [exercise 09.15] Return the king's distances of all cells, cell (x, y, z) at number (z · cells.y + y) ·
+    // cells.x + x.
+    const int count = cells.x * cells.y * cells.z, none = std::max({cells.x, cells.y, cells.z});
+    std::vector<int> steps;
+    for (std::size_t c = 0; c + 1 < first.size(); ++c) steps.push_back(first[c] < first[c + 1] ? 0 : none);
+    for (int axis = 0, stride = 1; axis < 3; stride *= cells[axis++]) {
+        const std::vector<int> before = steps;
+        for (int c = 0; c < count; ++c) {
+            const int i = c / stride % cells[axis];
+            for (int k = 0; k < cells[axis]; ++k) {
+                const int there = before[static_cast<std::size_t>(c + (k - i) * stride)];
+                int& best = steps[static_cast<std::size_t>(c)];
+                best = std::min(best, std::max(there, std::abs(k - i)));
+            }
+        }
+    }
+    return steps;
+    // [/exercise]
 }
 
 std::size_t bytes_of(const Grid& grid) {

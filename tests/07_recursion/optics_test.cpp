@@ -1,4 +1,4 @@
-// Steps 07.1 to 07.4: reflection, refraction, how much of each, and absorption.
+// Steps 07.1 to 07.4: reflection, refraction, how much of each, and absorption; and 07.7, soap films.
 #include "chapters/07_recursion/optics.hpp"
 
 #include "common/math/error.hpp"
@@ -6,6 +6,7 @@
 #include "tests/support.hpp"
 
 #include <cmath>
+#include <complex>
 
 using namespace rt;
 using namespace rt::test;
@@ -64,6 +65,10 @@ void check_transmitted(const Vec3& absorption, Real way, const Vec3& expected, R
 
 // 07.1 ---------------------------------------------------------------------------------------------------
 
+TEST_CASE("by hand: a level mirror sends the direction (0.6, -0.8, 0) back along (0.6, 0.8, 0)", "[07.1]") {
+    check_reflected({0.6, -0.8, 0}, up, {0.6, 0.8, 0}, 4 * u);
+}
+
 TEST_CASE("a ray comes back from a mirror at the angle at which it came", "[07.1]") {
     check_reflected({1, -1, 0}, up, {1, 1, 0});
     check_reflected({3, -2, 5}, up, {3, 2, 5});
@@ -102,6 +107,15 @@ TEST_CASE("mirroring keeps the length, keeps what is along the mirror, turns the
 }
 
 // 07.2 ---------------------------------------------------------------------------------------------------
+
+TEST_CASE("by hand: from air into glass the direction (0.6, -0.8, 0) becomes (0.4, -0.9165, 0)", "[07.2]") {
+    check_refracted({0.6, -0.8, 0}, up, 1 / 1.5, {0.4, -0.9165151389911680, 0}, 8 * u);
+}
+
+TEST_CASE("by hand: from glass into air a sine of 0.8 would become 1.2, so nothing gets out", "[07.2]") {
+    INFO("the refracted direction of (0.8, -0.6, 0) at the normal (0, 1, 0) with eta 1.5");
+    CHECK_FALSE(refract({0.8, -0.6, 0}, up, 1.5));
+}
 
 TEST_CASE("a perpendicular ray goes straight through", "[07.2]") {
     for (const Real eta : {0.4, 1.0, 1.5}) {
@@ -185,6 +199,13 @@ TEST_CASE("glass mirrors 4 percent of the light that meets it squarely, from out
     check_fresnel(1, 1.5, 0.04, 4 * u);
     check_schlick(1, 1 / 1.5, 0.04, 4 * u);
     check_schlick(1, 1.5, 0.04, 4 * u);
+}
+
+TEST_CASE("by hand: glass that is met at a cosine of 0.8 mirrors 0.0439 of the light", "[07.3]") {
+    // With cosₜ = √0.84 = 0.9165 the amplitudes are 0.1339 and −0.2643.
+    check_fresnel(0.8, 1 / 1.5, 0.0439, 0.00005);
+    // Schlick: 0.04 + 0.96 · 0.2⁵.
+    check_schlick(0.8, 1 / 1.5, 0.0403, 0.00005);
 }
 
 TEST_CASE("at 45 degrees glass mirrors 5.02 percent", "[07.3]") {
@@ -291,4 +312,59 @@ TEST_CASE("two ways one after the other absorb like one way of their sum", "[07.
 
 TEST_CASE("an infinite way leaves nothing, and all of it where nothing is absorbed", "[07.4]") {
     check_transmitted({1, 1e-300, 0}, infinity, {0, 0, 1});
+}
+
+// 07.7 ---------------------------------------------------------------------------------------------------
+
+namespace {
+
+void check_film(Real cos_i, Real ior, Real thickness, int channel, Real expected, Real bound) {
+    INFO("a film of ior " << ior << ", " << thickness << " nm thick, cosine of incidence " << cos_i
+                          << ": the part that is mirrored of light of " << wavelengths[channel] << " nm");
+    CHECK(near(soap_film(cos_i, ior, thickness)[channel], expected, bound));
+}
+
+}  // namespace
+
+TEST_CASE("by hand: a film without thickness is black", "[07.7]") {
+    for (const Real cosine : {1.0, 0.8, 0.1})
+        for (const int channel : {0, 1, 2}) check_film(cosine, 1.33, 0, channel, 0, 0);
+}
+
+TEST_CASE("by hand: a quarter of the wave in the film mirrors most, 0.1479, and half of it nothing",
+          "[07.7]") {
+    // Straight on, glass mirrors 0.04 at each side: 4 · 0.04/1.04² where the waves agree.
+    for (const int channel : {0, 1, 2}) {
+        const Real in_film = wavelengths[channel] / 1.5;
+        check_film(1, 1.5, in_film / 4, channel, 0.16 / 1.0816, 32 * u);
+        check_film(1, 1.5, in_film / 2, channel, 0, 32 * u);
+    }
+}
+
+TEST_CASE("by hand: aslant the film acts like a thinner one, by the cosine inside of it", "[07.7]") {
+    // The angle of the cosine 0.8: 0.9165 inside, amplitudes 0.1339 and 0.2643.
+    const Real inside = std::sqrt(0.84);
+    check_film(0.8, 1.5, 532 / 1.5 / 4 / inside, 1, 0.15669, 0.00002);
+    check_film(0.8, 1.5, 532 / 1.5 / 2 / inside, 1, 0, 32 * u);
+}
+
+TEST_CASE("a film mirrors what all its reflections, added up as waves, make", "[07.7]") {
+    Random random(86);
+    for (int i = 0; i < cases(2000); ++i) {
+        const Real ior = random.uniform(1.01, 2.5), cos_i = random.uniform(0.05, 1);
+        const Real thickness = random.uniform(0, 2000);
+        const Real cos_t = std::sqrt(1 - (1 - cos_i * cos_i) / (ior * ior));
+        const Vec3 part = soap_film(cos_i, ior, thickness);
+        INFO("a film of ior " << ior << ", " << thickness << " nm thick, cosine of incidence " << cos_i
+                              << ": the parts that are mirrored of red, green and blue are " << part);
+        for (const int channel : {0, 1, 2}) {
+            const Real turn = 4 * pi * ior * thickness * cos_t / wavelengths[channel];
+            const std::complex<Real> wave = std::polar(Real(1), turn);
+            Real expected = 0;
+            for (const Real r : {(ior * cos_i - cos_t) / (ior * cos_i + cos_t),
+                                 (cos_i - ior * cos_t) / (cos_i + ior * cos_t)})
+                expected += std::norm(r * (Real(1) - wave) / (Real(1) - r * r * wave)) / 2;
+            REQUIRE(near(part[channel], expected, 1e-10));
+        }
+    }
 }

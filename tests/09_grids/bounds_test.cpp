@@ -162,6 +162,10 @@ TEST_CASE("an instance's box holds its triangles", "[09.1]") {
     }
 }
 
+TEST_CASE("by hand: a ray through two slabs is in both from 2 to 4.8", "[09.2]") {
+    check_part({{2.4, 1.2, -1}, {5.2, 2.9, 1}}, {{0.4, 0.45, 0}, {1, 0.5, 0}}, Interval{2, 4.8});
+}
+
 TEST_CASE("the part of a ray in a box, by hand", "[09.2]") {
     check_part(unit_box, {{-1, 0.5, 0.5}, {1, 0, 0}}, Interval{1, 2});
     check_part(unit_box, {{2, 0.5, 0.5}, {-1, 0, 0}}, Interval{1, 2});

@@ -12,6 +12,7 @@ using namespace rt;
 using rt::test::cases;
 using rt::test::for_each_cell;
 using rt::test::items_of;
+using rt::test::or_say;
 using rt::test::Random;
 using rt::test::show;
 using rt::test::unit_cells;
@@ -389,7 +390,7 @@ TEST_CASE("a shape is in the cells that it comes as near as the margin", "[09.7]
     check_listed(shape, all, small, 2, {{7, 0, 0}}, 0.125);
 }
 
-TEST_CASE("the lists of cells stand one after another, by hand", "[09.8]") {
+TEST_CASE("by hand: four lists in one array", "[09.8]") {
     // Shape 3 is in the cells 0 and 1, shape 5 in cell 1, shape 8 in the cells 3, 1 and 0.
     const std::vector<std::uint32_t> numbers{0, 1, 1, 3, 1, 0}, ends{2, 3, 6}, shapes{3, 5, 8};
     const CellLists lists = lists_by_cell(4, numbers, ends, shapes);
@@ -620,4 +621,69 @@ TEST_CASE("maps that rounding distorts widen the margin", "[09.8]") {
     const Grid grid = build_grid(std::span<const Ellipsoid>(ellipsoids), {.nested = false});
     const Bounds box = bounds_of(ellipsoids[0]);
     CHECK(grid.shape.box.high.x - box.high.x == Approx(1e4 * margin_for(box)).epsilon(0.01));
+}
+
+// 09.15 --------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Where something is listed: the lists' beginnings of cells of which these are not empty.
+std::vector<std::uint32_t> beginnings(std::size_t count, const std::vector<std::size_t>& full) {
+    std::vector<std::uint32_t> first(count + 1, 0);
+    for (const std::size_t cell : full)
+        for (std::size_t c = cell + 1; c <= count; ++c) ++first[c];
+    return first;
+}
+
+void check_steps(const Cells& cells, const std::vector<std::size_t>& full, const std::vector<int>& expected) {
+    std::string which;
+    for (const std::size_t cell : full) which += " " + std::to_string(cell);
+    const std::vector<int> steps = king_steps(cells, beginnings(expected.size(), full));
+    INFO(show(cells) << " cells, of which these list something, by number:"
+                     << (which.empty() ? " none" : which));
+    INFO("the king's distances of all cells, in the order of their numbers");
+    CHECK(or_say(steps == expected, show(steps) + ", expected " + show(expected)));
+}
+
+}  // namespace
+
+TEST_CASE("by hand: in a row of six cells, distances fall to the full one and rise behind it", "[09.15]") {
+    check_steps({6, 1, 1}, {4}, {4, 3, 2, 1, 0, 1});
+    check_steps({1, 6, 1}, {4}, {4, 3, 2, 1, 0, 1});
+    check_steps({6, 1, 1}, {0, 4}, {0, 1, 2, 1, 0, 1});
+}
+
+TEST_CASE("by hand: on a board the king goes along diagonals", "[09.15]") {
+    check_steps({5, 3, 1}, {0}, {0, 1, 2, 3, 4, 1, 1, 2, 3, 4, 2, 2, 2, 3, 4});
+}
+
+TEST_CASE("floors of a house are a step apart", "[09.15]") {
+    check_steps({2, 1, 3}, {0}, {0, 1, 1, 1, 2, 2});
+}
+
+TEST_CASE("where nothing is listed, the distance is the greatest number of cells", "[09.15]") {
+    check_steps({3, 1, 2}, {}, {3, 3, 3, 3, 3, 3});
+}
+
+TEST_CASE("each distance is that to the nearest full cell", "[09.15]") {
+    Random random(915);
+    for (int round = 0; round < cases(50); ++round) {
+        const Cells cells(1 + static_cast<int>(random.index(6)), 1 + static_cast<int>(random.index(6)),
+                          1 + static_cast<int>(random.index(6)));
+        const auto count = static_cast<std::size_t>(cells.x * cells.y * cells.z);
+        std::vector<std::size_t> full;
+        for (std::size_t c = 0; c < count; ++c)
+            if (random.index(12) == 0) full.push_back(c);
+        const auto place = [&](std::size_t c) {
+            const int n = static_cast<int>(c);
+            return Cells(n % cells.x, n / cells.x % cells.y, n / (cells.x * cells.y));
+        };
+        std::vector<int> expected(count, std::max({cells.x, cells.y, cells.z}));
+        for (std::size_t c = 0; c < count; ++c)
+            for (const std::size_t other : full) {
+                const Cells away = glm::abs(place(c) - place(other));
+                expected[c] = std::min(expected[c], std::max({away.x, away.y, away.z}));
+            }
+        check_steps(cells, full, expected);
+    }
 }

@@ -54,6 +54,13 @@ void check_cell(const Ray& ray, Real t, int expected) {
 
 }  // namespace
 
+TEST_CASE("by hand: the boundaries of the lesson's walk are at 0.8 and each 1 on, and at 0.2 and each 2 on",
+          "[09.9]") {
+    const Ray ray{{-0.8, -0.1, 0.5}, {1, 0.5, 0}};
+    check_boundaries(unit_cells({8, 5, 1}), ray, 0, {.t0 = 0.8, .delta = 1, .step = 1, .last = 8});
+    check_boundaries(unit_cells({8, 5, 1}), ray, 1, {.t0 = 0.2, .delta = 2, .step = 1, .last = 5});
+}
+
 TEST_CASE("boundaries are met at equal distances, going up or going down", "[09.9]") {
     const GridShape shape = unit_cells({4, 3, 2});
     const Ray ray{{-1, 4, 0.5}, {2, -0.5, 0}};
@@ -135,6 +142,22 @@ TEST_CASE("where division rounds to the wrong side of a boundary, the boundary i
         const Ray ray{{-all.t0 * slope, 0.5, 0.5}, {slope, 0, 0}};
         REQUIRE(cell_at(unit_cells({n, 1, 1}), ray, 0, all, t) == (up ? passed : n - 1 - passed));
     }
+}
+
+TEST_CASE("by hand: the lesson's walk through cells of edge 1", "[09.11]") {
+    check_cells(unit_cells({8, 5, 1}), {{-0.8, -0.1, 0.5}, {1, 0.5, 0}},
+                {{0, 0, 0},
+                 {1, 0, 0},
+                 {1, 1, 0},
+                 {2, 1, 0},
+                 {3, 1, 0},
+                 {3, 2, 0},
+                 {4, 2, 0},
+                 {5, 2, 0},
+                 {5, 3, 0},
+                 {6, 3, 0},
+                 {7, 3, 0},
+                 {7, 4, 0}});
 }
 
 TEST_CASE("a ray along an axis visits a row of cells", "[09.11]") {
