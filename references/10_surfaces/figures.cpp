@@ -434,7 +434,7 @@ std::pair<std::string, Svg> far_ring_errors() {
         for (const Vec2& point : curves[m]) dot_at(svg, point, colors[m], 4);
     }
     text(svg, plot.place(1.3e5, 5), "closed formulas from the eye", colored(small, red));
-    text(svg, plot.place(1.5e4, 6e-3), "the same quartic, by 10.7", colored(small, orange));
+    text(svg, plot.place(1.5e4, 6e-3), "the same quartic, by 10.8", colored(small, orange));
     text(svg, plot.place(2e5, 1e-13), "expanded near the torus", colored(small, green));
     return {csv + '\n', svg};
 }
@@ -523,7 +523,7 @@ std::optional<Vec3> normal_with_skin(const Box& slab, const Cone& hole, const Ra
     return -surface_at(hole, ray, Hit{.t = in_hole->leave, .element = in_hole->leave_face}).normal;
 }
 
-/// The same by step 10.11, with both planes crossed at one t.
+/// The same by step 10.15, with both planes crossed at one t.
 std::optional<Vec3> normal_without_skin(const Combination& pot, const Ray& ray) {
     const std::optional<Hit> hit = intersect(pot, ray, Interval{});
     if (!hit) return std::nullopt;
