@@ -108,7 +108,7 @@ using Shapes = List<Plane, Sphere, Triangle, Polygon, Ellipsoid, Instance, Place
 /// What messages call a shape, whose code it runs, what it costs, and what holds of every one.
 struct ShapeWords {
     std::string_view one, many;
-    std::array<std::string_view, 5> steps;  ///< that a picture of it needs, beside those of every picture
+    std::array<std::string_view, 6> steps;  ///< that a picture of it needs, beside those of every picture
     /// One question of a ray, and one about a box (`overlaps`), in units of what a sphere costs.
     Real ask = 1;
     Real overlap = 1;
