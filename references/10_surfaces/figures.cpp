@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
 
 using namespace rt;
@@ -204,15 +205,15 @@ Ray towards_pole(Real distance, Real x, Real y) {
 /// A rod of radius 1 that ends at the origin, and a line that passes it near there.
 Cone rod(Real length) { return {{0, -length, 0}, 1, {0, 0, 0}, 1}; }
 
-/// A cell a distance, in radii, and a row a method: the normals at the smaller root.
-Image far_poles(const std::vector<Method>& methods, const std::vector<Real>& distances, int cell) {
-    Image image =
-        make_image(cell * static_cast<int>(distances.size()), cell * static_cast<int>(methods.size()));
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const auto at = [&](int i) { return 3 * ((i % cell + 0.5) / cell - 0.5); };
-            const Ray ray = towards_pole(distances[static_cast<std::size_t>(x / cell)], at(x), -at(y));
-            const Roots roots = methods[static_cast<std::size_t>(y / cell)](pole, ray);
+/// The pole from a distance, in radii, by a method: the normals at the smaller root.
+Image far_pole(const Method& method, Real distance) {
+    const int cell = 110;
+    Image image = make_image(cell, cell);
+    for (int y = 0; y < cell; ++y)
+        for (int x = 0; x < cell; ++x) {
+            const auto at = [&](int i) { return 3 * ((i + 0.5) / cell - 0.5); };
+            const Ray ray = towards_pole(distance, at(x), -at(y));
+            const Roots roots = method(pole, ray);
             pixel(image, x, y) = Vec3(0.02, 0.02, 0.03);
             if (roots.count == 0) continue;
             const Vec3 p = point_at(ray, roots.t0);
@@ -363,15 +364,15 @@ std::pair<Torus, Ray> far_ring(Real distance, Real x, Real y) {
     return {{-distance * w, {0.2, 0.8, 0.5}, 1, 0.3}, {Vec3(0), normalize(-distance * w + x * u + y * v)}};
 }
 
-/// A cell a distance, in radii of the ring, and a row a way: the normals.
-Image far_rings(const std::vector<Real>& distances, int cell) {
-    Image image = make_image(cell * static_cast<int>(distances.size()),
-                             cell * static_cast<int>(std::size(ways_inside)));
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const auto at = [&](int i) { return 3 * ((i % cell + 0.5) / cell - 0.5); };
-            const auto [torus, ray] = far_ring(distances[static_cast<std::size_t>(x / cell)], at(x), -at(y));
-            const TorusSpans spans = ways_inside[y / cell](torus, ray);
+/// The ring from a distance, in its radii, one way: the normals.
+Image far_ring(Inside way, Real distance) {
+    const int cell = 110;
+    Image image = make_image(cell, cell);
+    for (int y = 0; y < cell; ++y)
+        for (int x = 0; x < cell; ++x) {
+            const auto at = [&](int i) { return 3 * ((i + 0.5) / cell - 0.5); };
+            const auto [torus, ray] = far_ring(distance, at(x), -at(y));
+            const TorusSpans spans = way(torus, ray);
             pixel(image, x, y) = Vec3(0.02, 0.02, 0.03);
             if (spans.count == 0) continue;
             const Surface surface = surface_at(torus, ray, Hit{.t = spans.spans[0].enter});
@@ -530,8 +531,8 @@ std::optional<Vec3> normal_without_skin(const Combination& pot, const Ray& ray) 
     return surface_at(pot, ray, *hit).normal;
 }
 
-/// On the left with a skin of no thickness, on the right without.
-Image skin() {
+/// With a skin of no thickness, and without.
+std::vector<Image> skin() {
     const Box slab{{-1, -0.3, -1}, {1, 0.3, 1}};
     const Cone hole{{0, -0.1, 0}, 0.7, {0, 0.3, 0}, 0.7};
     Combination pot;
@@ -552,9 +553,8 @@ Image skin() {
             }
         return image;
     };
-    return in_rows({look([&](const Ray& ray) { return normal_with_skin(slab, hole, ray); }),
-                    look([&](const Ray& ray) { return normal_without_skin(pot, ray); })},
-                   2);
+    return {look([&](const Ray& ray) { return normal_with_skin(slab, hole, ray); }),
+            look([&](const Ray& ray) { return normal_without_skin(pot, ray); })};
 }
 
 // ---------------------------------------------------------------------------------------------- mistakes
@@ -603,32 +603,63 @@ Image look(const Way& way, bool normal_of_a_cylinder) {
     return image;
 }
 
-Image mistakes() {
-    return in_rows(
-        {look(right_way, false), look(right_way, true), look(without_caps, false), look(without_end, false)},
-        2);
+std::vector<Image> mistakes() {
+    return {look(right_way, false), look(right_way, true), look(without_caps, false),
+            look(without_end, false)};
+}
+
+/// How many of a scene's shapes have one of these commands.
+int count_of(const std::string& name, const std::vector<std::string>& commands) {
+    std::ifstream file(Path(__FILE__).parent_path() / (name + ".scene"));
+    int count = 0;
+    for (std::string line; std::getline(file, line);)
+        count += std::ranges::count(commands, line.substr(0, line.find(' ')));
+    return count;
+}
+
+/// The numbers of the lesson that stand in no other table.
+std::string numbers(const LostByStepping& lost) {
+    std::string csv = "name,value\n";
+    const auto add = [&](const char* name, long value) { csv += fmt::format("{},{}\n", name, value); };
+    add("cones and cylinders in columns.scene", count_of("columns", {"cone", "cylinder"}));
+    add("boxes in columns.scene", count_of("columns", {"box"}));
+    add("polygons and triangles in columns.scene", count_of("columns", {"polygon", "tri"}));
+    add("pixels of the heart", lost.hits);
+    add("pixels of the heart that 6 steps lose", lost.by_6);
+    add("pixels of the heart that 12 steps lose", lost.by_12);
+    return csv;
 }
 
 void draw_all(const Path& out) {
     write_svg(out / "spans.svg", spans());
     write_svg(out / "cone.svg", cone());
     write_svg(out / "lines.svg", lines());
-    write_image(out / "far_pole.png", far_poles({textbook, stable}, {1e6, 1e7, 3e7, 1e8}, 100));
+    std::vector<Image> poles;
+    for (const Method& method : {Method(textbook), Method(stable)})
+        for (const Real distance : {1e6, 1e7, 3e7, 1e8}) poles.push_back(far_pole(method, distance));
+    write_svg(out / "far_pole.svg",
+              labelled(out, poles, 4, {"10⁶ radii", "10⁷", "3·10⁷", "10⁸"}, {"textbook", "step 10.4"}));
     write_file(out / "far_pole.csv", far_pole_errors());
     write_file(out / "long_rod.csv", long_rod_errors());
     write_svg(out / "derivative.svg", derivative_figure());
     write_svg(out / "parabola.svg", parabola());
-    write_image(out / "far_ring.png", far_rings({1e2, 1e3, 3e3, 1e4}, 100));
+    std::vector<Image> rings;
+    for (const Inside way : ways_inside)
+        for (const Real distance : {1e2, 1e3, 3e3, 1e4}) rings.push_back(far_ring(way, distance));
+    write_svg(out / "far_ring.svg", labelled(out, rings, 4, {"100 radii", "1000", "3000", "10⁴"},
+                                             {"closed formulas", "the same, by 10.8", "step 10.10"}));
     const auto [table, plot] = far_ring_errors();
     write_file(out / "far_ring.csv", table);
     write_file(out / "closed_formulas.csv", closed_formulas());
-    write_svg(out / "far_ring.svg", plot);
-    write_image(out / "mistakes.png", mistakes());
+    write_svg(out / "far_ring_errors.svg", plot);
+    write_svg(out / "mistakes.svg",
+              labelled(out, mistakes(), 2, {"right", "normals of cylinders", "no caps", "no ends"}));
     write_svg(out / "two_solids.svg", two_solids());
-    write_image(out / "skin.png", skin());
-    draw_implicit(out);
+    write_svg(out / "skin.svg",
+              labelled(out, skin(), 2, {"one hit after the other", "all at one t at once"}));
+    write_file(out / "numbers.csv", numbers(draw_implicit(out)));
     draw_scenes(out, __FILE__,
-                {"still_life", "tubes", "glass", "lathe", "tori", "surfaces", "heart", "lenses"}, 240, 180);
+                {"still_life", "tubes", "glass", "lathe", "tori", "surfaces", "heart", "lenses"}, 320, 240);
     draw_scenes(out, __FILE__, {"columns", "carved"});
 }
 

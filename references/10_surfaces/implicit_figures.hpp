@@ -3,7 +3,9 @@
 
 #include "chapters/10_surfaces/implicit.hpp"
 #include "chapters/10_surfaces/sphere_tracing.hpp"
+#include "common/image/whole_file.hpp"
 #include "common/scene/evaluate.hpp"
+#include "common/terminal/base64.hpp"
 #include "references/figures.hpp"
 #include "tests/stability/implicits.hpp"
 #include "tests/support.hpp"
@@ -18,6 +20,35 @@
 #include <vector>
 
 namespace rt::figures {
+
+/// Pictures of one size in rows, as one drawing: words above those of the first row, or above each, and
+/// before each row.
+inline Svg labelled(const Path& directory, const std::vector<Image>& images, int columns,
+                    const std::vector<std::string>& above, const std::vector<std::string>& before = {}) {
+    const int width = images[0].width, height = images[0].height, gap = 8, band = 28;
+    const int rows = static_cast<int>(images.size()) / columns, left = before.empty() ? 0 : 150;
+    const int bands = static_cast<int>(above.size()) / columns;
+    Svg svg{.width = left + columns * (width + gap) - gap,
+            .height = rows * (height + gap) - gap + bands * band,
+            .body = {}};
+    const Path png = directory / "labelled.png";
+    for (int i = 0; i < static_cast<int>(images.size()); ++i) {
+        const int row = i / columns, x = left + i % columns * (width + gap);
+        const int y = row * (height + gap) + std::min(row + 1, bands) * band;
+        if (row < bands)
+            text(svg, {x + width / 2, y - 9}, above[static_cast<std::size_t>(i)],
+                 {.size = 16, .anchor = "middle"});
+        if (!before.empty() && i % columns == 0)
+            text(svg, {left - 12, y + height / 2 + 5}, before[static_cast<std::size_t>(row)],
+                 {.size = 16, .anchor = "end"});
+        write_image(png, images[static_cast<std::size_t>(i)]);
+        svg.body += fmt::format(
+            "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"data:image/png;base64,{}\"/>\n", x, y,
+            width, height, base64(read_file(png)));
+    }
+    std::filesystem::remove(png);
+    return svg;
+}
 
 /// The worked example: f on a chord, and what is certain of it on each piece that is looked at.
 inline Svg pieces() {
@@ -191,10 +222,15 @@ inline void error_against_time(const Path& directory) {
     write_svg(directory / "measured_implicit.svg", svg);
 }
 
+/// How many pixels of the heart there are, and how many equal steps lose.
+struct LostByStepping {
+    int hits = 0, by_6 = 0, by_12 = 0;
+};
+
 /// The heart as a program sees it that takes six steps, or twelve, and by intervals: normals as colours.
-inline Image missed() {
+inline LostByStepping draw_missed(const Path& out) {
     const Implicit heart = stability::surface_named("the heart");
-    const auto look = [&](const std::function<std::optional<Hit>(const Ray&)>& ask) {
+    const auto look = [&](int& hits, const std::function<std::optional<Hit>(const Ray&)>& ask) {
         const int width = 220, height = 200;
         Image image = make_image(width, height);
         const Vec3 eye(2.2, -5.2, 1.6), w = normalize(eye), u = normalize(cross(Vec3(0, 0, 1), w)),
@@ -205,23 +241,27 @@ inline Image missed() {
                     (x + 0.5 - width / 2) / width * u + (height / 2 - y - 0.5) / width * v - 2.0 * w;
                 const Ray ray{eye, normalize(d)};
                 const std::optional<Hit> hit = ask(ray);
+                hits += hit.has_value();
                 pixel(image, x, y) =
                     hit ? 0.5 * (surface_at(heart, ray, *hit).normal + 1.0) : Vec3(0.02, 0.02, 0.03);
             }
         return image;
     };
     const Interval range{0, infinity};
-    return in_rows({look([&](const Ray& ray) { return naive::march(heart, ray, range, 6); }),
-                    look([&](const Ray& ray) { return naive::march(heart, ray, range, 12); }),
-                    look([&](const Ray& ray) { return intersect(heart, ray, range); })},
-                   3);
+    int all = 0, with_6 = 0, with_12 = 0;
+    const Image six = look(with_6, [&](const Ray& ray) { return naive::march(heart, ray, range, 6); });
+    const Image twelve = look(with_12, [&](const Ray& ray) { return naive::march(heart, ray, range, 12); });
+    const Image right = look(all, [&](const Ray& ray) { return intersect(heart, ray, range); });
+    write_svg(out / "missed.svg",
+              labelled(out, {six, twelve, right}, 3, {"6 steps", "12 steps", "by intervals"}));
+    return {all, all - with_6, all - with_12};
 }
 
-inline void draw_implicit(const Path& out) {
+inline LostByStepping draw_implicit(const Path& out) {
     write_svg(out / "pieces.svg", pieces());
     write_svg(out / "sphere_steps.svg", sphere_steps());
-    write_image(out / "missed.png", missed());
     error_against_time(out);
+    return draw_missed(out);
 }
 
 }  // namespace rt::figures
