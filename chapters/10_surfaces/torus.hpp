@@ -16,9 +16,9 @@ namespace rt {
 /// A line as a torus sees it. Its point at τ is q + τ·e, as seen from the centre; the ray's t is
 /// from + τ/speed.
 struct TorusLine {
-    Vec3 q{0};  ///< the line's point nearest to the centre, perpendicular to e
-    Vec3 e{0};  ///< unit vector along the line
-    Vec3 n{0};  ///< unit vector along the axis
+    Vec3 q = Vec3(0);  ///< the line's point nearest to the centre, perpendicular to e
+    Vec3 e = Vec3(0);  ///< unit vector along the line
+    Vec3 n = Vec3(0);  ///< unit vector along the axis
     Real from = 0;
     Real speed = 1;  ///< |direction|
 };

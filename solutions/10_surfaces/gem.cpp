@@ -4,8 +4,8 @@
 namespace rt {
 
 std::optional<Span> inside_gem(std::span<const Plane> planes, const Ray& ray) {
-    // [exercise 10.16] Return the part of the line that is behind all of the planes, or nothing. The faces are
-    // the planes' numbers.
+    // [exercise 10.16] Return the part of the line that is behind all of the planes, or nothing. The faces
+    // are the planes' numbers.
     std::optional<Span> gem = Span{};
     for (std::uint32_t i = 0; i < planes.size() && gem; ++i) {
         const Plane& plane = planes[i];

@@ -89,7 +89,7 @@ TEST_CASE("a point is inside a difference if it is inside the first solid but no
 
 // -------------------------------------------------------------------------------------------- one line
 
-TEST_CASE("two pieces that overlap, from 1 to 4 and from 2 to 6", "[10.15]") {
+TEST_CASE("the worked example: two pieces that overlap, from 1 to 4 and from 2 to 6", "[10.15]") {
     check_combined(SetOperation::Union, a_at({1, 4}), b_at({2, 6}), {{1, 10}, {6, 21}});
     check_combined(SetOperation::Intersection, a_at({1, 4}), b_at({2, 6}), {{2, 20}, {4, 11}});
     check_combined(SetOperation::Difference, a_at({1, 4}), b_at({2, 6}), {{1, 10}, {2, 20}});
