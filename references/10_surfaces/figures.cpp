@@ -34,7 +34,7 @@ const SvgFont letter{.size = 17, .italic = true};
 
 /// The worked example: a ray through a rectangle, and below it the two slabs and what they have in common.
 Svg spans() {
-    Svg svg{.width = 720, .height = 470, .body = {}};
+    Svg svg{.width = 780, .height = 470, .body = {}};
     const auto at = [](Real x, Real y) { return Vec2(190 + 130 * x, 165 - 110 * y); };
     const Ray ray{{-1, -1, 0}, {2, 1, 0}};
     for (const Real x : {1.0, 3.0})
@@ -58,10 +58,10 @@ Svg spans() {
     text(svg, at(3.9, -0.5) + Vec2(6, 4), "y = −½", colored(small, orange));
     text(svg, at(3.9, 0.5) + Vec2(6, 4), "y = ½", colored(small, orange));
 
-    const auto along = [](Real t) { return 170 + 220 * t; };
+    const auto along = [](Real t) { return 200 + 220 * t; };
     const auto bar = [&](Real y, Real from, Real to, const char* color, const char* words) {
         line(svg, {along(from), y}, {along(to), y}, {.stroke = color, .width = 9});
-        text(svg, {150, y + 5}, words, {.size = 14, .color = color, .anchor = "end"});
+        text(svg, {180, y + 5}, words, {.size = 14, .color = color, .anchor = "end"});
     };
     bar(345, 1, 2, blue, "between the planes of x");
     bar(375, 0.5, 1.5, orange, "of y");
@@ -113,7 +113,7 @@ Svg cone() {
     const Vec2 p = o + Real(0.78) * (end - o);
     line(svg, p, {a.x, p.y}, {.stroke = red, .width = 2});
     dot_at(svg, p, red, 4.5);
-    text(svg, {p.x - 12, p.y + 18}, "|e + τ·m| / |u|", colored(anchored(small, "end"), red));
+    text(svg, {p.x - 26, p.y + 20}, "|e + τ·m| / |u|", colored(anchored(small, "end"), red));
     return svg;
 }
 
@@ -330,7 +330,7 @@ Svg parabola() {
     text(svg, {566, 24}, "z", letter);
     arrow(svg, above(point_at(ray, -4.6)), above(point_at(ray, 4.6)), {.stroke = blue, .width = 2});
     std::vector<Vec2> curve;
-    for (int i = -100; i <= 100; ++i) curve.push_back(section(0.042 * i));
+    for (int i = -100; i <= 100; ++i) curve.push_back(section(0.04 * i));
     polyline(svg, curve, {.stroke = blue, .width = 2});
     const TorusSpans spans = inside(torus, ray);
     for (std::size_t i = 0; i < static_cast<std::size_t>(spans.count); ++i)

@@ -97,7 +97,7 @@ inline Svg sphere_steps() {
     };
     for (int i = 0; i < 2; ++i)
         circle(svg, at(centers[i]), 92 * radii[i], {.stroke = ink, .width = 2, .fill = "#eef3f7"});
-    const Vec2 start(0.2, 0), end(7.2, 0);
+    const Vec2 start(1.1, 0), end(7.2, 0);
     arrow(svg, at(start), at(end), {.stroke = grey, .width = 1.5});
     Vec2 p = start;
     for (int i = 0; i < 40 && distance(p) > 0.004; ++i) {
@@ -107,10 +107,6 @@ inline Svg sphere_steps() {
     }
     dot_at(svg, at(p), orange, 5);
     text(svg, at(start) + Vec2(-4, -8), "o", {.size = 17, .italic = true});
-    text(svg, {30, 316},
-         "No circle reaches beyond a surface, so no step does; where the line passes near one, steps are "
-         "short.",
-         small);
     return svg;
 }
 
@@ -212,8 +208,8 @@ inline void error_against_time(const Path& directory) {
     };
     curve("equal steps", "heart", red, {10, 5}, "equal steps, heart");
     curve("equal steps", "torus by its distance", red, {-160, -150}, "equal steps, torus");
-    curve("sphere tracing", "heart", blue, {-150, -22}, "sphere tracing, heart");
-    curve("sphere tracing", "torus by its distance", blue, {14, -70}, "sphere tracing, torus");
+    curve("sphere tracing", "heart", blue, {-170, 30}, "sphere tracing, heart");
+    curve("sphere tracing", "torus by its distance", blue, {12, -24}, "sphere tracing, torus");
     curve("intervals", "heart", green, {10, -8}, "intervals, taken for the truth");
     curve("intervals", "torus by its distance", green, {10, -8}, "");
     text(svg, {385, 424}, "CPU time a ray", middle(small));
