@@ -609,9 +609,9 @@ std::vector<Image> mistakes() {
 }
 
 /// How many of a scene's shapes have one of these commands.
-int count_of(const std::string& name, const std::vector<std::string>& commands) {
+long count_of(const std::string& name, const std::vector<std::string>& commands) {
     std::ifstream file(Path(__FILE__).parent_path() / (name + ".scene"));
-    int count = 0;
+    long count = 0;
     for (std::string line; std::getline(file, line);)
         count += std::ranges::count(commands, line.substr(0, line.find(' ')));
     return count;
