@@ -7,6 +7,7 @@
 #include "chapters/10_surfaces/torus.hpp"
 #include "common/render/combinations.hpp"
 #include "references/10_surfaces/implicit_figures.hpp"
+#include "references/panels.hpp"
 #include "tests/oracle/solid.hpp"
 #include "tests/oracle/torus.hpp"
 #include "tests/stability/tori.hpp"
@@ -207,7 +208,7 @@ Cone rod(Real length) { return {{0, -length, 0}, 1, {0, 0, 0}, 1}; }
 
 /// The pole from a distance, in radii, by a method: the normals at the smaller root.
 Image far_pole(const Method& method, Real distance) {
-    const int cell = 110;
+    const int cell = 165;
     Image image = make_image(cell, cell);
     for (int y = 0; y < cell; ++y)
         for (int x = 0; x < cell; ++x) {
@@ -366,7 +367,7 @@ std::pair<Torus, Ray> far_ring(Real distance, Real x, Real y) {
 
 /// The ring from a distance, in its radii, one way: the normals.
 Image far_ring(Inside way, Real distance) {
-    const int cell = 110;
+    const int cell = 165;
     Image image = make_image(cell, cell);
     for (int y = 0; y < cell; ++y)
         for (int x = 0; x < cell; ++x) {
@@ -532,7 +533,7 @@ std::optional<Vec3> normal_without_skin(const Combination& pot, const Ray& ray) 
 }
 
 /// With a skin of no thickness, and without.
-std::vector<Image> skin() {
+std::vector<Panel> skin() {
     const Box slab{{-1, -0.3, -1}, {1, 0.3, 1}};
     const Cone hole{{0, -0.1, 0}, 0.7, {0, 0.3, 0}, 0.7};
     Combination pot;
@@ -553,8 +554,8 @@ std::vector<Image> skin() {
             }
         return image;
     };
-    return {look([&](const Ray& ray) { return normal_with_skin(slab, hole, ray); }),
-            look([&](const Ray& ray) { return normal_without_skin(pot, ray); })};
+    return {{look([&](const Ray& ray) { return normal_with_skin(slab, hole, ray); }), "one by one"},
+            {look([&](const Ray& ray) { return normal_without_skin(pot, ray); }), "all at one t at once"}};
 }
 
 // ---------------------------------------------------------------------------------------------- mistakes
@@ -603,9 +604,11 @@ Image look(const Way& way, bool normal_of_a_cylinder) {
     return image;
 }
 
-std::vector<Image> mistakes() {
-    return {look(right_way, false), look(right_way, true), look(without_caps, false),
-            look(without_end, false)};
+std::vector<Panel> mistakes() {
+    return {{look(right_way, false), "right"},
+            {look(right_way, true), "normals of cylinders"},
+            {look(without_caps, false), "no caps"},
+            {look(without_end, false), "no ends"}};
 }
 
 /// How many of a scene's shapes have one of these commands.
@@ -634,29 +637,28 @@ void draw_all(const Path& out) {
     write_svg(out / "spans.svg", spans());
     write_svg(out / "cone.svg", cone());
     write_svg(out / "lines.svg", lines());
-    std::vector<Image> poles;
-    for (const Method& method : {Method(textbook), Method(stable)})
-        for (const Real distance : {1e6, 1e7, 3e7, 1e8}) poles.push_back(far_pole(method, distance));
-    write_svg(out / "far_pole.svg",
-              labelled(out, poles, 4, {"10⁶ radii", "10⁷", "3·10⁷", "10⁸"}, {"textbook", "step 10.4"}));
+    std::vector<Panel> poles;
+    for (const auto& [method, name] : {std::pair(Method(textbook), "textbook"), {Method(stable), "10.4"}})
+        for (const auto& [distance, words] : Ticks{{1e6, "10⁶"}, {1e7, "10⁷"}, {3e7, "3·10⁷"}, {1e8, "10⁸"}})
+            poles.push_back({far_pole(method, distance), fmt::format("{}, {}", name, words)});
+    write_svg(out / "far_pole.svg", side_by_side(poles, 4));
     write_file(out / "far_pole.csv", far_pole_errors());
     write_file(out / "long_rod.csv", long_rod_errors());
     write_svg(out / "derivative.svg", derivative_figure());
     write_svg(out / "parabola.svg", parabola());
-    std::vector<Image> rings;
-    for (const Inside way : ways_inside)
-        for (const Real distance : {1e2, 1e3, 3e3, 1e4}) rings.push_back(far_ring(way, distance));
-    write_svg(out / "far_ring.svg", labelled(out, rings, 4, {"100 radii", "1000", "3000", "10⁴"},
-                                             {"closed formulas", "the same, by 10.8", "step 10.10"}));
+    std::vector<Panel> rings;
+    const char* names[] = {"closed", "10.8", "10.10"};
+    for (std::size_t m = 0; m < 3; ++m)
+        for (const auto& [distance, words] : Ticks{{1e2, "100"}, {1e3, "1000"}, {3e3, "3000"}, {1e4, "10⁴"}})
+            rings.push_back({far_ring(ways_inside[m], distance), fmt::format("{}, {}", names[m], words)});
+    write_svg(out / "far_ring.svg", side_by_side(rings, 4));
     const auto [table, plot] = far_ring_errors();
     write_file(out / "far_ring.csv", table);
     write_file(out / "closed_formulas.csv", closed_formulas());
     write_svg(out / "far_ring_errors.svg", plot);
-    write_svg(out / "mistakes.svg",
-              labelled(out, mistakes(), 2, {"right", "normals of cylinders", "no caps", "no ends"}));
+    write_svg(out / "mistakes.svg", side_by_side(mistakes(), 2, 1.5));
     write_svg(out / "two_solids.svg", two_solids());
-    write_svg(out / "skin.svg",
-              labelled(out, skin(), 2, {"one hit after the other", "all at one t at once"}));
+    write_svg(out / "skin.svg", side_by_side(skin(), 2, 1.5));
     write_file(out / "numbers.csv", numbers(draw_implicit(out)));
     draw_scenes(out, __FILE__,
                 {"still_life", "tubes", "glass", "lathe", "tori", "surfaces", "heart", "lenses"}, 320, 240);

@@ -3,10 +3,9 @@
 
 #include "chapters/10_surfaces/implicit.hpp"
 #include "chapters/10_surfaces/sphere_tracing.hpp"
-#include "common/image/whole_file.hpp"
 #include "common/scene/evaluate.hpp"
-#include "common/terminal/base64.hpp"
 #include "references/figures.hpp"
+#include "references/panels.hpp"
 #include "tests/stability/implicits.hpp"
 #include "tests/support.hpp"
 
@@ -20,35 +19,6 @@
 #include <vector>
 
 namespace rt::figures {
-
-/// Pictures of one size in rows, as one drawing: words above those of the first row, or above each, and
-/// before each row.
-inline Svg labelled(const Path& directory, const std::vector<Image>& images, int columns,
-                    const std::vector<std::string>& above, const std::vector<std::string>& before = {}) {
-    const int width = images[0].width, height = images[0].height, gap = 8, band = 28;
-    const int rows = static_cast<int>(images.size()) / columns, left = before.empty() ? 0 : 150;
-    const int bands = static_cast<int>(above.size()) / columns;
-    Svg svg{.width = left + columns * (width + gap) - gap,
-            .height = rows * (height + gap) - gap + bands * band,
-            .body = {}};
-    const Path png = directory / "labelled.png";
-    for (int i = 0; i < static_cast<int>(images.size()); ++i) {
-        const int row = i / columns, x = left + i % columns * (width + gap);
-        const int y = row * (height + gap) + std::min(row + 1, bands) * band;
-        if (row < bands)
-            text(svg, {x + width / 2, y - 9}, above[static_cast<std::size_t>(i)],
-                 {.size = 16, .anchor = "middle"});
-        if (!before.empty() && i % columns == 0)
-            text(svg, {left - 12, y + height / 2 + 5}, before[static_cast<std::size_t>(row)],
-                 {.size = 16, .anchor = "end"});
-        write_image(png, images[static_cast<std::size_t>(i)]);
-        svg.body += fmt::format(
-            "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"data:image/png;base64,{}\"/>\n", x, y,
-            width, height, base64(read_file(png)));
-    }
-    std::filesystem::remove(png);
-    return svg;
-}
 
 /// The worked example: f on a chord, and what is certain of it on each piece that is looked at.
 inline Svg pieces() {
@@ -249,7 +219,7 @@ inline LostByStepping draw_missed(const Path& out) {
     const Image twelve = look(with_12, [&](const Ray& ray) { return naive::march(heart, ray, range, 12); });
     const Image right = look(all, [&](const Ray& ray) { return intersect(heart, ray, range); });
     write_svg(out / "missed.svg",
-              labelled(out, {six, twelve, right}, 3, {"6 steps", "12 steps", "by intervals"}));
+              side_by_side({{six, "6 steps"}, {twelve, "12 steps"}, {right, "by intervals"}}, 3));
     return {all, all - with_6, all - with_12};
 }
 
