@@ -114,7 +114,7 @@ Svg cone() {
     const Vec2 p = o + Real(0.78) * (end - o);
     line(svg, p, {a.x, p.y}, {.stroke = red, .width = 2});
     dot_at(svg, p, red, 4.5);
-    text(svg, {p.x - 26, p.y + 20}, "|e + τ·m| / |u|", colored(anchored(small, "end"), red));
+    text(svg, {p.x - 44, p.y + 20}, "|e + τ·m| / |u|", colored(anchored(small, "end"), red));
     return svg;
 }
 
