@@ -179,7 +179,7 @@ inline void error_against_time(const Path& directory) {
     curve("equal steps", "heart", red, {10, 5}, "equal steps, heart");
     curve("equal steps", "torus by its distance", red, {-160, -150}, "equal steps, torus");
     curve("sphere tracing", "heart", blue, {-170, 30}, "sphere tracing, heart");
-    curve("sphere tracing", "torus by its distance", blue, {-14, -90}, "torus");
+    curve("sphere tracing", "torus by its distance", blue, {-52, -70}, "torus");
     curve("intervals", "heart", green, {10, -8}, "intervals, taken for the truth");
     curve("intervals", "torus by its distance", green, {10, -8}, "");
     text(svg, {385, 424}, "CPU time a ray", middle(small));
