@@ -8,8 +8,8 @@
 namespace rt {
 
 std::optional<Span> inside(const Box& box, const Ray& ray) {
-    // 10.2  Return what the slabs across x, y and z have in common. `slab` numbers the faces of
-    // each 0 and 1; those across axis a are 2a and 2a + 1.
+    // 10.2  Return what the slabs across x, y and z have in common, or nothing. The faces across
+    // axis a are 2a and 2a + 1.
     return todo("10.2");
 }
 
@@ -20,9 +20,8 @@ std::optional<Hit> intersect(const Box& box, const Ray& ray, Interval range) {
 
 Surface surface_at(const Box& box, const Ray& ray, const Hit& hit) {
     Surface surface;
-    // 10.2  Set the surface's point, normal and shading_normal. hit.element is the face: 2a or 2a +
-    // 1 for axis a. Rounding has put the point of the ray at t beside the face, and perhaps beyond its edges;
-    // so clamp it into the box, and give it the face's own coordinate.
+    // 10.2  Set the surface's point, normal and shading_normal. hit.element is the face that was
+    // hit. The point must be in that face to the bit, and not beyond its edges.
     return todo("10.2");
     return surface;
 }

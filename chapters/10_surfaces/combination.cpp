@@ -21,16 +21,15 @@
 namespace rt {
 
 bool is_inside(SetOperation operation, bool in_a, bool in_b) {
-    // 10.11  Return whether the point is inside of the two solids as one.
-    return todo("10.11");
+    // 10.15  Return whether the point is inside of the two solids as one.
+    return todo("10.15");
 }
 
 std::vector<Hit> combine(SetOperation operation, std::span<const Hit> a, std::span<const Hit> b) {
     std::vector<Hit> both;
-    // 10.11  Walk along both lists, from one t to the next. Know at any time whether you are in a
-    // and in b; add a hit to `both` where `is_inside` changes, and not before all hits at this t have been
-    // walked past.
-    return todo("10.11");
+    // 10.15  Put into `both` the hits of a and b at which the line crosses the surface of the
+    // whole, in order.
+    return todo("10.15");
     return both;
 }
 

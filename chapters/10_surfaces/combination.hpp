@@ -12,11 +12,11 @@
 
 namespace rt {
 
-/// [10.11] Whether a point is inside of two solids as one, given whether it is inside of each: of at least
+/// [10.15] Whether a point is inside of two solids as one, given whether it is inside of each: of at least
 /// one of them (union), of both (intersection), of the first but not of the second (difference).
 bool is_inside(SetOperation operation, bool in_a, bool in_b);
 
-/// [10.11] Where a line crosses the surface of two solids as one, given where it crosses each (Roth 1982).
+/// [10.15] Where a line crosses the surface of two solids as one, given where it crosses each (Roth 1982).
 ///
 /// All three lists are ascending in t, and alternate: the line enters by the first hit, leaves by the second,
 /// and so on. It may enter at −infinity and leave at infinity. Each hit is one of a or b, as it is there.

@@ -15,7 +15,7 @@ namespace rt {
 ///   – and its distance from the axis, times |u|, is |e + τ·m|; where the cone is, that equals α + τ·β, which
 ///     is the cone's radius at s, times |u|.
 struct ConeLine {
-    Vec3 e{0}, m{0};
+    Vec3 e = Vec3(0), m = Vec3(0);
     Real alpha = 0, beta = 0;
     Real a = 0;  ///< m·m − β²: 0 of a line parallel to the side, negative of a steeper one. Known here, so
                  ///< that all who ask which of these a line is are told the same

@@ -10,8 +10,7 @@
 namespace rt {
 
 std::optional<Hit> intersect(const Disc& disc, const Ray& ray, Interval range) {
-    // 10.3  Where does the ray meet the plane of the disc? Return a Hit with that t if it is in the
-    // range, and if the point there is no farther than the radius from the centre.
+    // 10.3  Return a Hit where the ray meets the disc, if that is in the range; or nothing.
     return todo("10.3");
 }
 

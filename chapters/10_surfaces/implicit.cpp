@@ -93,23 +93,24 @@ Piece quartered(const ImplicitLine& line, Piece piece) {
     return rest;
 }
 
-std::optional<LineCrossing> first_crossing(const ImplicitLine& line, Interval range) {
-    // 10.9  Keep the pieces that are still to be looked at in a list, the leftmost last; at first
-    // that is the whole chord, {0, 1}. Keep `before`, the last certain side, and `edge`, the λ up to which it
-    // was certain. Take a piece: one that ends at or before range.min is left out, and when the edge is
-    // beyond range.max, all the rest is. If neither the side of its value is certain, nor its slope has a
-    // sign, nor the piece is blurred, put its right half and its left half into the list instead. Otherwise
-    // you get the side after it from its value or at its right end, and if there is no `before` yet, that at
-    // its left end. If both are certain and differ, there is a crossing between the edge and the first λ that
-    // has the new side: return it if its t is in the range.
-    return todo("10.9");
+std::optional<Stretch> next_stretch(const ImplicitLine& line, std::vector<Piece>& pieces, Real begin) {
+    // 10.11  Take pieces from the end of the list, and return the first of which enough is known,
+    // with its side. Skip those that end at or before t = begin. Any other piece of which too little is known
+    // is replaced in the list by its halves.
+    return todo("10.11");
 }
 
 Piece narrowed(const ImplicitLine& line, Piece piece) {
-    // 10.9  Enclose f on the piece. Where its slope cannot be 0: with the middle m, the root is in
-    // m − f(m)/slope, computed with enclosures; keep what of that is in the piece. Where it can, ask
-    // `quartered`. Go on with what is left, but stop when that is empty or not narrower by a fifth.
-    return todo("10.9");
+    // 10.12  Return the piece after as many steps as make it narrower by a fifth at least: Newton's
+    // where the slope of f cannot be 0 on it, `quartered` where it can.
+    return todo("10.12");
+}
+
+std::optional<LineCrossing> first_crossing(const ImplicitLine& line, Interval range) {
+    // 10.13  Walk along the stretches of the chord, {0, 1}, from left to right. Keep `before`, the
+    // last side that was certain, and `edge`, the λ up to which it was. Where the opposite side follows,
+    // there is a crossing: return it if it is in the range.
+    return todo("10.13");
 }
 
 std::optional<Hit> intersect(const Implicit& implicit, const Ray& ray, Interval range) {

@@ -47,25 +47,37 @@ bool is_blurred(Piece piece, const Certain& certain);
 /// quarter and at three quarters are certain; itself where they tell nothing.
 Piece quartered(const ImplicitLine& line, Piece piece);
 
+/// A piece of which enough is known.
+struct Stretch {
+    Piece piece;
+    int side = 0;           ///< at its right end: −1 inside, 1 outside, 0 where rounding hides it
+    bool is_whole = false;  ///< whether all of the piece is on that side
+};
+
+/// [10.11] The next piece, from left to right, that need not be divided, or nothing when there is none left
+/// (Mitchell 1990). It is taken from the list of pieces that are still to be looked at, the leftmost last;
+/// and so are those before it: pieces that end at or before the ray's t = begin are left out, and any of
+/// which too little is known is replaced by its halves. Enough is known
+/// - where f cannot be 0: then all of the piece is on one side;
+/// - where the slope of f cannot be 0, or the piece is blurred: then the side at its right end tells what has
+///   happened.
+std::optional<Stretch> next_stretch(const ImplicitLine& line, std::vector<Piece>& pieces, Real begin);
+
+/// [10.12] A smaller piece with the same crossing, by Newton's method for intervals (Moore 1966): where the
+/// slope cannot be 0, the root is in m − f(m)/slope, m being the middle; where it may be, the piece is
+/// `quartered`. Repeated as long as that makes it narrower by a fifth at least.
+Piece narrowed(const ImplicitLine& line, Piece piece);
+
 /// Where a line crosses the surface.
 struct LineCrossing {
     Real t = 0;     ///< of the ray
     int after = 0;  ///< the side behind it: −1 where the line goes in
 };
 
-/// [10.9] The first crossing whose t is in (range.min, range.max], or nothing. The pieces of the chord that
-/// reach into the range are looked at from left to right (Mitchell 1990):
-/// - where f cannot be 0, the side is certain;
-/// - where its slope cannot be 0, or the piece is blurred, the side at the right end tells what has happened;
-/// - all others are divided in halves.
-/// Where a certain side follows on the opposite one, there is a crossing, at the middle of what `narrowed`
-/// makes of the part between them. Which pieces there are depends on the line alone, not on the range.
+/// [10.13] The first crossing whose t is in (range.min, range.max], or nothing. Where a certain side follows
+/// on the opposite one, there is a crossing, at the middle of what `narrowed` makes of the part between them.
+/// Which pieces there are depends on the line alone, not on the range.
 std::optional<LineCrossing> first_crossing(const ImplicitLine& line, Interval range);
-
-/// [10.9] A smaller piece with the same crossing, by Newton's method for intervals (Moore 1966): where the
-/// slope cannot be 0, the root is in m − f(m)/slope, m being the middle; where it may be, the piece is
-/// `quartered`. Repeated as long as that makes it narrower by a fifth at least.
-Piece narrowed(const ImplicitLine& line, Piece piece);
 
 /// Given. Nearest hit with the surface in (range.min, range.max], or nothing; a range that begins below 0
 /// begins at 0.

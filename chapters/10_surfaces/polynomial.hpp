@@ -54,7 +54,7 @@ inline Roots inflections(const Polynomial& p) {
 /// where not (Press et al., Numerical Recipes 2007, §9.4). So it always ends.
 Real root_between(const Polynomial& p, Real low, Real high);
 
-/// [10.7] Every t from `low` to `high`, both finite, low ≤ high, at which the polynomial changes from
+/// [10.8] Every t from `low` to `high`, both finite, low ≤ high, at which the polynomial changes from
 /// positive to not positive, or back. At `low` it is positive, or not, as `evaluate` says there. A double
 /// root is two changes, or none.
 ///

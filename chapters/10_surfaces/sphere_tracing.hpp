@@ -10,7 +10,7 @@ namespace rt {
 /// parts, and f with its gradient enclosed in each.
 Real lipschitz_bound(const Implicit& implicit);
 
-/// [10.10] The first hit in [range.min, range.max] that sphere tracing comes upon (Hart 1996), or nothing.
+/// [10.14] The first hit in [range.min, range.max] that sphere tracing comes upon (Hart 1996), or nothing.
 /// From a point where f has a value, the surface is at least |f|/lipschitz away in every direction, so the
 /// ray goes on by that much. It arrives where a step would be no longer than `tolerance`, a length, or would
 /// not change λ; it leaves at the end of the chord, or where f has no value. A range that begins below 0

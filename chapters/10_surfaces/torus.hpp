@@ -16,9 +16,9 @@ namespace rt {
 /// A line as a torus sees it. Its point at τ is q + τ·e, as seen from the centre; the ray's t is
 /// from + τ/speed.
 struct TorusLine {
-    Vec3 q{0};  ///< the line's point nearest to the centre, perpendicular to e
-    Vec3 e{0};  ///< unit vector along the line
-    Vec3 n{0};  ///< unit vector along the axis
+    Vec3 q = Vec3(0);  ///< the line's point nearest to the centre, perpendicular to e
+    Vec3 e = Vec3(0);  ///< unit vector along the line
+    Vec3 n = Vec3(0);  ///< unit vector along the axis
     Real from = 0;
     Real speed = 1;  ///< |direction|
 };
@@ -26,7 +26,7 @@ struct TorusLine {
 /// The line of the ray, or nothing where it passes the ball around the torus. Given; as `cone_line`.
 std::optional<TorusLine> torus_line(const Torus& torus, const Ray& ray);
 
-/// [10.8] The quartic, as a polynomial in σ = τ − base, that is positive outside of the torus and 0 on its
+/// [10.9] The quartic, as a polynomial in σ = τ − base, that is positive outside of the torus and 0 on its
 /// surface: Q² − P, both of degree 2. With x the point, ρ its distance from the axis and z = x·n,
 ///   – if the ring is wide, R ≥ 2r:  Q = x·x − R² − r²,         P = 4R²·(r² − z²);
 ///   – if it is not:                 Q = x·x + (R − r)(R + r),  P = 4R²·ρ².
@@ -43,7 +43,7 @@ struct TorusSpans {
     std::array<Span, 2> spans{};  ///< in units of the ray's direction; the face is 0
 };
 
-/// [10.8] The parts of the ray's line that are inside the torus. Inside is where the ring is no farther than
+/// [10.10] The parts of the ray's line that are inside the torus. Inside is where the ring is no farther than
 /// r; so for R = r the hole is closed to one point, and for R < r there is none.
 ///
 /// Inside or not is right everywhere unless moving the surface by η would change the answer, and each end is

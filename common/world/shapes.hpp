@@ -108,7 +108,7 @@ using Shapes = List<Plane, Sphere, Triangle, Polygon, Ellipsoid, Instance, Place
 /// What messages call a shape, whose code it runs, what it costs, and what holds of every one.
 struct ShapeWords {
     std::string_view one, many;
-    std::array<std::string_view, 5> steps;  ///< that a picture of it needs, beside those of every picture
+    std::array<std::string_view, 6> steps;  ///< that a picture of it needs, beside those of every picture
     /// One question of a ray, and one about a box (`overlaps`), in units of what a sphere costs.
     Real ask = 1;
     Real overlap = 1;
@@ -172,26 +172,30 @@ inline constexpr ShapeWords words<Placed<OpenCone>>{"open cone or cylinder with 
                                                     {"04.6", "10.4", "10.6"},
                                                     3};
 template <>
-inline constexpr ShapeWords words<Torus>{
-    .one = "torus", .many = "tori", .steps = {"10.1", "10.7", "10.8"}, .ask = 10, .crossings = 4};
+inline constexpr ShapeWords words<Torus>{.one = "torus",
+                                         .many = "tori",
+                                         .steps = {"10.1", "10.7", "10.8", "10.9", "10.10"},
+                                         .ask = 10,
+                                         .crossings = 4};
 template <>
 inline constexpr ShapeWords words<Placed<Torus>>{.one = "torus with its matrices",
                                                  .many = "tori with their matrices",
-                                                 .steps = {"04.6", "10.1", "10.7", "10.8"},
+                                                 .steps = {"04.6", "10.1", "10.7", "10.8", "10.9", "10.10"},
                                                  .ask = 10,
                                                  .crossings = 4};
 template <>
 inline constexpr ShapeWords words<Implicit>{.one = "implicit surface",
                                             .many = "implicit surfaces",
-                                            .steps = {"10.1", "10.2", "10.9"},
+                                            .steps = {"10.1", "10.2", "10.11", "10.12", "10.13"},
                                             .ask = 500,
                                             .crossings = as_many_as_it_likes};
 template <>
-inline constexpr ShapeWords words<Placed<Implicit>>{.one = "implicit surface with its matrices",
-                                                    .many = "implicit surfaces with their matrices",
-                                                    .steps = {"04.6", "10.1", "10.2", "10.9"},
-                                                    .ask = 500,
-                                                    .crossings = as_many_as_it_likes};
+inline constexpr ShapeWords words<Placed<Implicit>>{
+    .one = "implicit surface with its matrices",
+    .many = "implicit surfaces with their matrices",
+    .steps = {"04.6", "10.1", "10.2", "10.11", "10.12", "10.13"},
+    .ask = 500,
+    .crossings = as_many_as_it_likes};
 template <>
 inline constexpr ShapeWords words<Quadric>{"quadric", "quadrics", {"02.1", "10.1", "10.2"}, 7};
 template <>
@@ -199,7 +203,7 @@ inline constexpr ShapeWords words<Placed<Quadric>>{
     "quadric with its matrices", "quadrics with their matrices", {"04.6", "02.1", "10.1", "10.2"}, 7};
 template <>
 inline constexpr ShapeWords words<Combination>{
-    "combination of solids", "combinations of solids", {"10.1", "10.11"}, 10};
+    "combination of solids", "combinations of solids", {"10.1", "10.15"}, 10};
 template <>
 inline constexpr ShapeWords words<Moving>{.one = "moving shape",
                                           .many = "moving shapes",

@@ -7,6 +7,7 @@
 #include "chapters/10_surfaces/torus.hpp"
 #include "common/render/combinations.hpp"
 #include "references/10_surfaces/implicit_figures.hpp"
+#include "references/panels.hpp"
 #include "tests/oracle/solid.hpp"
 #include "tests/oracle/torus.hpp"
 #include "tests/stability/tori.hpp"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
 
 using namespace rt;
@@ -33,7 +35,7 @@ const SvgFont letter{.size = 17, .italic = true};
 
 /// The worked example: a ray through a rectangle, and below it the two slabs and what they have in common.
 Svg spans() {
-    Svg svg{.width = 720, .height = 470, .body = {}};
+    Svg svg{.width = 780, .height = 470, .body = {}};
     const auto at = [](Real x, Real y) { return Vec2(190 + 130 * x, 165 - 110 * y); };
     const Ray ray{{-1, -1, 0}, {2, 1, 0}};
     for (const Real x : {1.0, 3.0})
@@ -57,10 +59,10 @@ Svg spans() {
     text(svg, at(3.9, -0.5) + Vec2(6, 4), "y = −½", colored(small, orange));
     text(svg, at(3.9, 0.5) + Vec2(6, 4), "y = ½", colored(small, orange));
 
-    const auto along = [](Real t) { return 170 + 220 * t; };
+    const auto along = [](Real t) { return 200 + 220 * t; };
     const auto bar = [&](Real y, Real from, Real to, const char* color, const char* words) {
         line(svg, {along(from), y}, {along(to), y}, {.stroke = color, .width = 9});
-        text(svg, {150, y + 5}, words, {.size = 14, .color = color, .anchor = "end"});
+        text(svg, {180, y + 5}, words, {.size = 14, .color = color, .anchor = "end"});
     };
     bar(345, 1, 2, blue, "between the planes of x");
     bar(375, 0.5, 1.5, orange, "of y");
@@ -112,7 +114,7 @@ Svg cone() {
     const Vec2 p = o + Real(0.78) * (end - o);
     line(svg, p, {a.x, p.y}, {.stroke = red, .width = 2});
     dot_at(svg, p, red, 4.5);
-    text(svg, {p.x - 12, p.y + 18}, "|e + τ·m| / |u|", colored(anchored(small, "end"), red));
+    text(svg, {p.x - 44, p.y + 20}, "|e + τ·m| / |u|", colored(anchored(small, "end"), red));
     return svg;
 }
 
@@ -204,15 +206,15 @@ Ray towards_pole(Real distance, Real x, Real y) {
 /// A rod of radius 1 that ends at the origin, and a line that passes it near there.
 Cone rod(Real length) { return {{0, -length, 0}, 1, {0, 0, 0}, 1}; }
 
-/// A cell a distance, in radii, and a row a method: the normals at the smaller root.
-Image far_poles(const std::vector<Method>& methods, const std::vector<Real>& distances, int cell) {
-    Image image =
-        make_image(cell * static_cast<int>(distances.size()), cell * static_cast<int>(methods.size()));
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const auto at = [&](int i) { return 3 * ((i % cell + 0.5) / cell - 0.5); };
-            const Ray ray = towards_pole(distances[static_cast<std::size_t>(x / cell)], at(x), -at(y));
-            const Roots roots = methods[static_cast<std::size_t>(y / cell)](pole, ray);
+/// The pole from a distance, in radii, by a method: the normals at the smaller root.
+Image far_pole(const Method& method, Real distance) {
+    const int cell = 165;
+    Image image = make_image(cell, cell);
+    for (int y = 0; y < cell; ++y)
+        for (int x = 0; x < cell; ++x) {
+            const auto at = [&](int i) { return 3 * ((i + 0.5) / cell - 0.5); };
+            const Ray ray = towards_pole(distance, at(x), -at(y));
+            const Roots roots = method(pole, ray);
             pixel(image, x, y) = Vec3(0.02, 0.02, 0.03);
             if (roots.count == 0) continue;
             const Vec3 p = point_at(ray, roots.t0);
@@ -329,7 +331,7 @@ Svg parabola() {
     text(svg, {566, 24}, "z", letter);
     arrow(svg, above(point_at(ray, -4.6)), above(point_at(ray, 4.6)), {.stroke = blue, .width = 2});
     std::vector<Vec2> curve;
-    for (int i = -100; i <= 100; ++i) curve.push_back(section(0.042 * i));
+    for (int i = -100; i <= 100; ++i) curve.push_back(section(0.04 * i));
     polyline(svg, curve, {.stroke = blue, .width = 2});
     const TorusSpans spans = inside(torus, ray);
     for (std::size_t i = 0; i < static_cast<std::size_t>(spans.count); ++i)
@@ -363,15 +365,15 @@ std::pair<Torus, Ray> far_ring(Real distance, Real x, Real y) {
     return {{-distance * w, {0.2, 0.8, 0.5}, 1, 0.3}, {Vec3(0), normalize(-distance * w + x * u + y * v)}};
 }
 
-/// A cell a distance, in radii of the ring, and a row a way: the normals.
-Image far_rings(const std::vector<Real>& distances, int cell) {
-    Image image = make_image(cell * static_cast<int>(distances.size()),
-                             cell * static_cast<int>(std::size(ways_inside)));
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const auto at = [&](int i) { return 3 * ((i % cell + 0.5) / cell - 0.5); };
-            const auto [torus, ray] = far_ring(distances[static_cast<std::size_t>(x / cell)], at(x), -at(y));
-            const TorusSpans spans = ways_inside[y / cell](torus, ray);
+/// The ring from a distance, in its radii, one way: the normals.
+Image far_ring(Inside way, Real distance) {
+    const int cell = 165;
+    Image image = make_image(cell, cell);
+    for (int y = 0; y < cell; ++y)
+        for (int x = 0; x < cell; ++x) {
+            const auto at = [&](int i) { return 3 * ((i + 0.5) / cell - 0.5); };
+            const auto [torus, ray] = far_ring(distance, at(x), -at(y));
+            const TorusSpans spans = way(torus, ray);
             pixel(image, x, y) = Vec3(0.02, 0.02, 0.03);
             if (spans.count == 0) continue;
             const Surface surface = surface_at(torus, ray, Hit{.t = spans.spans[0].enter});
@@ -434,7 +436,7 @@ std::pair<std::string, Svg> far_ring_errors() {
         for (const Vec2& point : curves[m]) dot_at(svg, point, colors[m], 4);
     }
     text(svg, plot.place(1.3e5, 5), "closed formulas from the eye", colored(small, red));
-    text(svg, plot.place(1.5e4, 6e-3), "the same quartic, by 10.7", colored(small, orange));
+    text(svg, plot.place(1.5e4, 6e-3), "the same quartic, by 10.8", colored(small, orange));
     text(svg, plot.place(2e5, 1e-13), "expanded near the torus", colored(small, green));
     return {csv + '\n', svg};
 }
@@ -523,15 +525,15 @@ std::optional<Vec3> normal_with_skin(const Box& slab, const Cone& hole, const Ra
     return -surface_at(hole, ray, Hit{.t = in_hole->leave, .element = in_hole->leave_face}).normal;
 }
 
-/// The same by step 10.11, with both planes crossed at one t.
+/// The same by step 10.15, with both planes crossed at one t.
 std::optional<Vec3> normal_without_skin(const Combination& pot, const Ray& ray) {
     const std::optional<Hit> hit = intersect(pot, ray, Interval{});
     if (!hit) return std::nullopt;
     return surface_at(pot, ray, *hit).normal;
 }
 
-/// On the left with a skin of no thickness, on the right without.
-Image skin() {
+/// With a skin of no thickness, and without.
+std::vector<Panel> skin() {
     const Box slab{{-1, -0.3, -1}, {1, 0.3, 1}};
     const Cone hole{{0, -0.1, 0}, 0.7, {0, 0.3, 0}, 0.7};
     Combination pot;
@@ -552,9 +554,8 @@ Image skin() {
             }
         return image;
     };
-    return in_rows({look([&](const Ray& ray) { return normal_with_skin(slab, hole, ray); }),
-                    look([&](const Ray& ray) { return normal_without_skin(pot, ray); })},
-                   2);
+    return {{look([&](const Ray& ray) { return normal_with_skin(slab, hole, ray); }), "one by one"},
+            {look([&](const Ray& ray) { return normal_without_skin(pot, ray); }), "all at one t at once"}};
 }
 
 // ---------------------------------------------------------------------------------------------- mistakes
@@ -603,32 +604,64 @@ Image look(const Way& way, bool normal_of_a_cylinder) {
     return image;
 }
 
-Image mistakes() {
-    return in_rows(
-        {look(right_way, false), look(right_way, true), look(without_caps, false), look(without_end, false)},
-        2);
+std::vector<Panel> mistakes() {
+    return {{look(right_way, false), "right"},
+            {look(right_way, true), "normals of cylinders"},
+            {look(without_caps, false), "no caps"},
+            {look(without_end, false), "no ends"}};
+}
+
+/// How many of a scene's shapes have one of these commands.
+long count_of(const std::string& name, const std::vector<std::string>& commands) {
+    std::ifstream file(Path(__FILE__).parent_path() / (name + ".scene"));
+    long count = 0;
+    for (std::string line; std::getline(file, line);)
+        count += std::ranges::count(commands, line.substr(0, line.find(' ')));
+    return count;
+}
+
+/// The numbers of the lesson that stand in no other table.
+std::string numbers(const LostByStepping& lost) {
+    std::string csv = "name,value\n";
+    const auto add = [&](const char* name, long value) { csv += fmt::format("{},{}\n", name, value); };
+    add("cones and cylinders in columns.scene", count_of("columns", {"cone", "cylinder"}));
+    add("boxes in columns.scene", count_of("columns", {"box"}));
+    add("polygons and triangles in columns.scene", count_of("columns", {"polygon", "tri"}));
+    add("pixels of the heart", lost.hits);
+    add("pixels of the heart that 6 steps lose", lost.by_6);
+    add("pixels of the heart that 12 steps lose", lost.by_12);
+    return csv;
 }
 
 void draw_all(const Path& out) {
     write_svg(out / "spans.svg", spans());
     write_svg(out / "cone.svg", cone());
     write_svg(out / "lines.svg", lines());
-    write_image(out / "far_pole.png", far_poles({textbook, stable}, {1e6, 1e7, 3e7, 1e8}, 100));
+    std::vector<Panel> poles;
+    for (const auto& [method, name] : {std::pair(Method(textbook), "textbook"), {Method(stable), "10.4"}})
+        for (const auto& [distance, words] : Ticks{{1e6, "10⁶"}, {1e7, "10⁷"}, {3e7, "3·10⁷"}, {1e8, "10⁸"}})
+            poles.push_back({far_pole(method, distance), fmt::format("{}, {}", name, words)});
+    write_svg(out / "far_pole.svg", side_by_side(poles, 4));
     write_file(out / "far_pole.csv", far_pole_errors());
     write_file(out / "long_rod.csv", long_rod_errors());
     write_svg(out / "derivative.svg", derivative_figure());
     write_svg(out / "parabola.svg", parabola());
-    write_image(out / "far_ring.png", far_rings({1e2, 1e3, 3e3, 1e4}, 100));
+    std::vector<Panel> rings;
+    const char* names[] = {"closed", "10.8", "10.10"};
+    for (std::size_t m = 0; m < 3; ++m)
+        for (const auto& [distance, words] : Ticks{{1e2, "100"}, {1e3, "1000"}, {3e3, "3000"}, {1e4, "10⁴"}})
+            rings.push_back({far_ring(ways_inside[m], distance), fmt::format("{}, {}", names[m], words)});
+    write_svg(out / "far_ring.svg", side_by_side(rings, 4));
     const auto [table, plot] = far_ring_errors();
     write_file(out / "far_ring.csv", table);
     write_file(out / "closed_formulas.csv", closed_formulas());
-    write_svg(out / "far_ring.svg", plot);
-    write_image(out / "mistakes.png", mistakes());
+    write_svg(out / "far_ring_errors.svg", plot);
+    write_svg(out / "mistakes.svg", side_by_side(mistakes(), 2, 1.5));
     write_svg(out / "two_solids.svg", two_solids());
-    write_image(out / "skin.png", skin());
-    draw_implicit(out);
+    write_svg(out / "skin.svg", side_by_side(skin(), 2, 1.5));
+    write_file(out / "numbers.csv", numbers(draw_implicit(out)));
     draw_scenes(out, __FILE__,
-                {"still_life", "tubes", "glass", "lathe", "tori", "surfaces", "heart", "lenses"}, 240, 180);
+                {"still_life", "tubes", "glass", "lathe", "tori", "surfaces", "heart", "lenses"}, 320, 240);
     draw_scenes(out, __FILE__, {"columns", "carved"});
 }
 

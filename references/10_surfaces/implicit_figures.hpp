@@ -5,6 +5,7 @@
 #include "chapters/10_surfaces/sphere_tracing.hpp"
 #include "common/scene/evaluate.hpp"
 #include "references/figures.hpp"
+#include "references/panels.hpp"
 #include "tests/stability/implicits.hpp"
 #include "tests/support.hpp"
 
@@ -66,7 +67,7 @@ inline Svg sphere_steps() {
     };
     for (int i = 0; i < 2; ++i)
         circle(svg, at(centers[i]), 92 * radii[i], {.stroke = ink, .width = 2, .fill = "#eef3f7"});
-    const Vec2 start(0.2, 0), end(7.2, 0);
+    const Vec2 start(1.1, 0), end(7.2, 0);
     arrow(svg, at(start), at(end), {.stroke = grey, .width = 1.5});
     Vec2 p = start;
     for (int i = 0; i < 40 && distance(p) > 0.004; ++i) {
@@ -76,10 +77,6 @@ inline Svg sphere_steps() {
     }
     dot_at(svg, at(p), orange, 5);
     text(svg, at(start) + Vec2(-4, -8), "o", {.size = 17, .italic = true});
-    text(svg, {30, 316},
-         "No circle reaches beyond a surface, so no step does; where the line passes near one, steps are "
-         "short.",
-         small);
     return svg;
 }
 
@@ -181,8 +178,8 @@ inline void error_against_time(const Path& directory) {
     };
     curve("equal steps", "heart", red, {10, 5}, "equal steps, heart");
     curve("equal steps", "torus by its distance", red, {-160, -150}, "equal steps, torus");
-    curve("sphere tracing", "heart", blue, {-150, -22}, "sphere tracing, heart");
-    curve("sphere tracing", "torus by its distance", blue, {14, -70}, "sphere tracing, torus");
+    curve("sphere tracing", "heart", blue, {-170, 30}, "sphere tracing, heart");
+    curve("sphere tracing", "torus by its distance", blue, {-52, -70}, "torus");
     curve("intervals", "heart", green, {10, -8}, "intervals, taken for the truth");
     curve("intervals", "torus by its distance", green, {10, -8}, "");
     text(svg, {385, 424}, "CPU time a ray", middle(small));
@@ -191,10 +188,15 @@ inline void error_against_time(const Path& directory) {
     write_svg(directory / "measured_implicit.svg", svg);
 }
 
+/// How many pixels of the heart there are, and how many equal steps lose.
+struct LostByStepping {
+    int hits = 0, by_6 = 0, by_12 = 0;
+};
+
 /// The heart as a program sees it that takes six steps, or twelve, and by intervals: normals as colours.
-inline Image missed() {
+inline LostByStepping draw_missed(const Path& out) {
     const Implicit heart = stability::surface_named("the heart");
-    const auto look = [&](const std::function<std::optional<Hit>(const Ray&)>& ask) {
+    const auto look = [&](int& hits, const std::function<std::optional<Hit>(const Ray&)>& ask) {
         const int width = 220, height = 200;
         Image image = make_image(width, height);
         const Vec3 eye(2.2, -5.2, 1.6), w = normalize(eye), u = normalize(cross(Vec3(0, 0, 1), w)),
@@ -205,23 +207,27 @@ inline Image missed() {
                     (x + 0.5 - width / 2) / width * u + (height / 2 - y - 0.5) / width * v - 2.0 * w;
                 const Ray ray{eye, normalize(d)};
                 const std::optional<Hit> hit = ask(ray);
+                hits += hit.has_value();
                 pixel(image, x, y) =
                     hit ? 0.5 * (surface_at(heart, ray, *hit).normal + 1.0) : Vec3(0.02, 0.02, 0.03);
             }
         return image;
     };
     const Interval range{0, infinity};
-    return in_rows({look([&](const Ray& ray) { return naive::march(heart, ray, range, 6); }),
-                    look([&](const Ray& ray) { return naive::march(heart, ray, range, 12); }),
-                    look([&](const Ray& ray) { return intersect(heart, ray, range); })},
-                   3);
+    int all = 0, with_6 = 0, with_12 = 0;
+    const Image six = look(with_6, [&](const Ray& ray) { return naive::march(heart, ray, range, 6); });
+    const Image twelve = look(with_12, [&](const Ray& ray) { return naive::march(heart, ray, range, 12); });
+    const Image right = look(all, [&](const Ray& ray) { return intersect(heart, ray, range); });
+    write_svg(out / "missed.svg",
+              side_by_side({{six, "6 steps"}, {twelve, "12 steps"}, {right, "by intervals"}}, 3));
+    return {all, all - with_6, all - with_12};
 }
 
-inline void draw_implicit(const Path& out) {
+inline LostByStepping draw_implicit(const Path& out) {
     write_svg(out / "pieces.svg", pieces());
     write_svg(out / "sphere_steps.svg", sphere_steps());
-    write_image(out / "missed.png", missed());
     error_against_time(out);
+    return draw_missed(out);
 }
 
 }  // namespace rt::figures

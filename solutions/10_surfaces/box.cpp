@@ -6,8 +6,8 @@
 namespace rt {
 
 std::optional<Span> inside(const Box& box, const Ray& ray) {
-    // [exercise 10.2] Return what the slabs across x, y and z have in common. `slab` numbers the faces of
-    // each 0 and 1; those across axis a are 2a and 2a + 1.
+    // [exercise 10.2] Return what the slabs across x, y and z have in common, or nothing. The faces across
+    // axis a are 2a and 2a + 1.
     std::optional<Span> span = Span{};
     for (std::uint32_t a = 0; a < 3 && span; ++a) {
         const int i = static_cast<int>(a);
@@ -28,9 +28,8 @@ std::optional<Hit> intersect(const Box& box, const Ray& ray, Interval range) {
 
 Surface surface_at(const Box& box, const Ray& ray, const Hit& hit) {
     Surface surface;
-    // [exercise 10.2] Set the surface's point, normal and shading_normal. hit.element is the face: 2a or 2a +
-    // 1 for axis a. Rounding has put the point of the ray at t beside the face, and perhaps beyond its edges;
-    // so clamp it into the box, and give it the face's own coordinate.
+    // [exercise 10.2] Set the surface's point, normal and shading_normal. hit.element is the face that was
+    // hit. The point must be in that face to the bit, and not beyond its edges.
     const bool is_high = hit.element % 2 == 1;
     const int axis = static_cast<int>(hit.element / 2);
     surface.point = glm::clamp(point_at(ray, hit.t), box.low, box.high);

@@ -20,7 +20,7 @@
 namespace rt {
 
 bool is_inside(SetOperation operation, bool in_a, bool in_b) {
-    // [exercise 10.11] Return whether the point is inside of the two solids as one.
+    // [exercise 10.15] Return whether the point is inside of the two solids as one.
     switch (operation) {
         case SetOperation::Union:
             return in_a || in_b;
@@ -35,9 +35,8 @@ bool is_inside(SetOperation operation, bool in_a, bool in_b) {
 
 std::vector<Hit> combine(SetOperation operation, std::span<const Hit> a, std::span<const Hit> b) {
     std::vector<Hit> both;
-    // [exercise 10.11] Walk along both lists, from one t to the next. Know at any time whether you are in a
-    // and in b; add a hit to `both` where `is_inside` changes, and not before all hits at this t have been
-    // walked past.
+    // [exercise 10.15] Put into `both` the hits of a and b at which the line crosses the surface of the
+    // whole, in order.
     bool in_a = false, in_b = false;
     for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
         const bool was_in_a = in_a, was_inside = is_inside(operation, in_a, in_b);

@@ -11,11 +11,8 @@
 namespace rt {
 
 ConeLine cone_line(const Cone& cone, const Ray& ray) {
-    // [exercise 10.4] Return the line as the struct describes it. As seen from the narrower end (a, if both
-    // are equal), the ray begins at f = origin − end; go from there to the point of the line that is nearest
-    // to that end, which is at t = −(f·d)/(d·d), and let f lead to that. From the end to there it is
-    // f·u/(u·u) along the axis, with u = b − a, and d·u/(u·u) more with each τ. The radius grows by radius_b
-    // − radius_a from a to b. Last, a = m·m − β².
+    // [exercise 10.4] Return the line as `ConeLine` describes it, with τ counted from the point of the line
+    // that is nearest to the cone's narrower end (a, if both are equal).
     const Vec3 u = cone.b - cone.a, &d = ray.direction;
     const Real u2 = dot(u, u), length_of_u = std::sqrt(u2), widening = cone.radius_b - cone.radius_a;
     const bool is_b = cone.radius_b < cone.radius_a;
@@ -36,9 +33,8 @@ ConeLine cone_line(const Cone& cone, const Ray& ray) {
 }
 
 Roots side_roots(const ConeLine& line) {
-    // [exercise 10.4] Return the roots of a·τ² + 2·h·τ + c = 0, where |e + τ·m|² = (α + τ·β)². Compute the
-    // discriminant as |α·m − β·e|² − |e × m|² and leave the rest to solve_quadratic. That wants a ≠ 0: where
-    // a is 0, the equation is linear, with one root, or if h is 0, too, with none.
+    // [exercise 10.4] Return the roots of a·τ² + 2·h·τ + c = 0, where |e + τ·m|² = (α + τ·β)², with the
+    // discriminant as the contract has it. Mind a = 0.
     const auto& [e, m, alpha, beta, a, along, along_step, from] = line;
     const Real h = dot(e, m) - alpha * beta;
     const Real c = dot(e, e) - alpha * alpha;
@@ -52,13 +48,8 @@ namespace {
 
 /// The τ at which the line is inside the side: where |e + τ·m| ≤ α + τ·β.
 [[maybe_unused]] std::optional<Span> inside_side(const ConeLine& line) {
-    // [exercise 10.5] If m is longer than |β|, the line is inside between its roots, and nowhere if it has
-    // none. (They may be of the mirror image: that lies beyond the apex, and so beyond the ends.) If not, it
-    // is as steep as the side or steeper. Without roots it then is inside everywhere or nowhere, as at τ = 0;
-    // else it is inside on from one root, or up to one: where β is positive from the greater root to
-    // infinity, where it is negative from −infinity to the lesser. Only where it is just as steep, parallel
-    // to the side, that root may be of the mirror image: where α + τ·β, the radius there, is negative, the
-    // line is nowhere inside.
+    // [exercise 10.5] Return the part of the line that is inside the side, or nothing. There are four cases:
+    // across the side, steeper than it, parallel to it, and no roots.
     const auto& [e, m, alpha, beta, a, along, along_step, from] = line;
     const Roots roots = side_roots(line);
     if (roots.count == 0)
@@ -73,8 +64,8 @@ namespace {
 }  // namespace
 
 std::optional<Span> inside(const Cone& cone, const Ray& ray) {
-    // [exercise 10.5] Return what the side and the slab between the ends, 0 ≤ s ≤ 1, have in common. `slab`
-    // numbers its faces 0 and 1; those of the cone are 1 and 2, and 0 is the side. The ray's t is from + τ.
+    // [exercise 10.5] Return what the side and the slab between the ends, 0 ≤ s ≤ 1, have in common, or
+    // nothing: with the cone's faces, and in the ray's t.
     const ConeLine line = cone_line(cone, ray);
     const std::optional<Span> side = inside_side(line);
     std::optional<Span> ends = slab(line.along, line.along_step, 0, 1);
@@ -95,8 +86,8 @@ std::optional<Hit> intersect(const Cone& cone, const Ray& ray, Interval range) {
 }
 
 std::optional<Hit> intersect(const OpenCone& open, const Ray& ray, Interval range) {
-    // [exercise 10.6] Return a Hit with the first root of the side that is in the range, and where the line
-    // is between the ends, 0 ≤ s ≤ 1. The ray's t is from + τ.
+    // [exercise 10.6] Return a Hit at the first root of the side that is in the range and between the ends,
+    // or nothing.
     const ConeLine line = cone_line(open.cone, ray);
     const Roots roots = side_roots(line);
     if (roots.count == 0) return std::nullopt;
@@ -109,8 +100,7 @@ std::optional<Hit> intersect(const OpenCone& open, const Ray& ray, Interval rang
 }
 
 Vec3 side_normal(const Cone& cone, const Vec3& radial) {
-    // [exercise 10.6] Along the axis the radius grows by (radius_b − radius_a)/(u·u) for each u, and the
-    // normal leans back by as much: it is `radial`, less that much of u, made a unit vector.
+    // [exercise 10.6] Return the unit normal of the side where `radial` leads to it.
     const Vec3 u = cone.b - cone.a;
     return normalize(radial - ((cone.radius_b - cone.radius_a) / dot(u, u)) * u);
     // [/exercise]

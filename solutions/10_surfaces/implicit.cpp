@@ -92,51 +92,29 @@ Piece quartered(const ImplicitLine& line, Piece piece) {
     return rest;
 }
 
-std::optional<LineCrossing> first_crossing(const ImplicitLine& line, Interval range) {
-    // [exercise 10.9] Keep the pieces that are still to be looked at in a list, the leftmost last; at first
-    // that is the whole chord, {0, 1}. Keep `before`, the last certain side, and `edge`, the λ up to which it
-    // was certain. Take a piece: one that ends at or before range.min is left out, and when the edge is
-    // beyond range.max, all the rest is. If neither the side of its value is certain, nor its slope has a
-    // sign, nor the piece is blurred, put its right half and its left half into the list instead. Otherwise
-    // you get the side after it from its value or at its right end, and if there is no `before` yet, that at
-    // its left end. If both are certain and differ, there is a crossing between the edge and the first λ that
-    // has the new side: return it if its t is in the range.
-    std::vector<Piece> pieces{{0, 1}};
-    Real edge = 0;
-    int before = 0;
-    while (!pieces.empty() && line.chord.t_at(edge) <= range.max) {
+std::optional<Stretch> next_stretch(const ImplicitLine& line, std::vector<Piece>& pieces, Real begin) {
+    // [exercise 10.11] Take pieces from the end of the list, and return the first of which enough is known,
+    // with its side. Skip those that end at or before t = begin. Any other piece of which too little is known
+    // is replaced in the list by its halves.
+    while (!pieces.empty()) {
         const Piece piece = pieces.back();
         pieces.pop_back();
-        if (line.chord.t_at(piece.high) <= range.min) continue;
+        if (line.chord.t_at(piece.high) <= begin) continue;
         const Certain f = enclose(line, piece);
-        int after = side_of(f.value);
-        const bool is_certain = after != 0;
-        if (!is_certain) {
-            if (contains(f.slope, 0) && !is_blurred(piece, f)) {
-                pieces.push_back({middle_of(piece), piece.high});
-                pieces.push_back({piece.low, middle_of(piece)});
-                continue;
-            }
-            if (before == 0) before = side_at(line, edge = piece.low);
-            after = side_at(line, piece.high);
-        }
-        if (after == 0) continue;
-        if (before * after < 0) {
-            const Piece where = narrowed(line, {edge, is_certain ? piece.low : piece.high});
-            const Real t = line.chord.t_at(middle_of(where));
-            if (contains(range, t)) return LineCrossing{t, after};
-        }
-        before = after;
-        edge = piece.high;
+        const int side = side_of(f.value);
+        if (side != 0) return Stretch{piece, side, true};
+        const bool is_known = !contains(f.slope, 0) || is_blurred(piece, f);
+        if (is_known) return Stretch{piece, side_at(line, piece.high), false};
+        pieces.push_back({middle_of(piece), piece.high});
+        pieces.push_back({piece.low, middle_of(piece)});
     }
     return std::nullopt;
     // [/exercise]
 }
 
 Piece narrowed(const ImplicitLine& line, Piece piece) {
-    // [exercise 10.9] Enclose f on the piece. Where its slope cannot be 0: with the middle m, the root is in
-    // m − f(m)/slope, computed with enclosures; keep what of that is in the piece. Where it can, ask
-    // `quartered`. Go on with what is left, but stop when that is empty or not narrower by a fifth.
+    // [exercise 10.12] Return the piece after as many steps as make it narrower by a fifth at least: Newton's
+    // where the slope of f cannot be 0 on it, `quartered` where it can.
     for (;;) {
         const Certain f = enclose(line, piece);
         const Real m = middle_of(piece);
@@ -150,6 +128,31 @@ Piece narrowed(const ImplicitLine& line, Piece piece) {
         if (!(next.low <= next.high && next.high - next.low < 0.8 * (piece.high - piece.low))) return piece;
         piece = next;
     }
+    // [/exercise]
+}
+
+std::optional<LineCrossing> first_crossing(const ImplicitLine& line, Interval range) {
+    // [exercise 10.13] Walk along the stretches of the chord, {0, 1}, from left to right. Keep `before`, the
+    // last side that was certain, and `edge`, the λ up to which it was. Where the opposite side follows,
+    // there is a crossing: return it if it is in the range.
+    std::vector<Piece> pieces{{0, 1}};
+    Real edge = 0;
+    int before = 0;
+    while (line.chord.t_at(edge) <= range.max) {
+        const std::optional<Stretch> next = next_stretch(line, pieces, range.min);
+        if (!next) break;
+        const auto& [piece, after, is_whole] = *next;
+        if (before == 0 && !is_whole) before = side_at(line, edge = piece.low);
+        if (after == 0) continue;
+        if (before * after < 0) {
+            const Piece where = narrowed(line, {edge, is_whole ? piece.low : piece.high});
+            const Real t = line.chord.t_at(middle_of(where));
+            if (contains(range, t)) return LineCrossing{t, after};
+        }
+        before = after;
+        edge = piece.high;
+    }
+    return std::nullopt;
     // [/exercise]
 }
 

@@ -9,11 +9,8 @@
 namespace rt {
 
 Real root_between(const Polynomial& p, Real low, Real high) {
-    // [exercise 10.7] Begin in the middle. As long as t is between low and high: evaluate, and let t take the
-    // place of low or of high, so that the change stays between them. Newton's step leads to t − value/slope.
-    // Where it is no longer than 4u|t|, return where it leads to, but not beyond low or high. Take it if it
-    // leads between low and high and is at most half as long as the last step; if not, go to the middle. When
-    // nothing is left between, return t.
+    // [exercise 10.7] Return the t at which p changes its sign between low and high. Keep it between two ends
+    // that close in on it; take Newton's step where that is safe, and go to the middle where it is not.
     const bool falls = evaluate(p, low).value > 0;
     Real t = low + 0.5 * (high - low), last = high - low;
     while (low < t && t < high) {
@@ -31,11 +28,8 @@ Real root_between(const Polynomial& p, Real low, Real high) {
 }
 
 SignChanges sign_changes(const Polynomial& p, Real low, Real high) {
-    // [exercise 10.7] Keep a list of places: at first low, those inflections that are strictly between,
-    // ascending, and high. Between neighbours the derivative is monotone. Look at its sign in all the places;
-    // wherever it changes from one place to the next, there is a root_between. The new places are low, these
-    // roots, and high. Between those p itself is monotone; do the same with it. The last places, without low
-    // and high, are the answer.
+    // [exercise 10.8] Return all changes of sign from low to high: find those of the derivative between its
+    // inflections, and with their help those of p.
     const Roots bends = inflections(p);
     std::array<Real, 6> places{low};
     std::size_t count = 1;

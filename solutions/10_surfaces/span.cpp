@@ -6,8 +6,8 @@
 namespace rt {
 
 std::optional<Span> slab(Real x, Real v, Real low, Real high) {
-    // [exercise 10.1] Return the t between those where x + t·v is `low` and where it is `high`, with the
-    // faces 0 for low and 1 for high. Divide only if v is not 0.
+    // [exercise 10.1] Return the part of the line on which low ≤ x + t·v ≤ high, with face 0 at `low` and 1
+    // at `high`, or nothing. Mind v = 0.
     if (v == 0) return low <= x && x <= high ? std::optional(Span{}) : std::nullopt;
     const Span up{(low - x) / v, (high - x) / v, 0, 1};
     return v > 0 ? up : Span{up.leave, up.enter, 1, 0};
@@ -15,8 +15,8 @@ std::optional<Span> slab(Real x, Real v, Real low, Real high) {
 }
 
 std::optional<Span> common_part(const Span& a, const Span& b) {
-    // [exercise 10.1] Return the span from the later entry to the earlier exit, each with its face, or
-    // nothing if it would end before it begins.
+    // [exercise 10.1] Return what a and b have in common, with the faces that belong to its two ends, or
+    // nothing.
     Span both = a;
     if (b.enter > a.enter) both.enter = b.enter, both.enter_face = b.enter_face;
     if (b.leave < a.leave) both.leave = b.leave, both.leave_face = b.leave_face;
@@ -25,8 +25,8 @@ std::optional<Span> common_part(const Span& a, const Span& b) {
 }
 
 std::optional<Hit> first_hit(const Span& span, Interval range) {
-    // [exercise 10.1] Return a Hit with the first of the span's two ends that is in the range, and with its
-    // face as `element`; or nothing.
+    // [exercise 10.1] Return a Hit at the first of the span's two ends that is in the range, with its face as
+    // `element`, or nothing.
     if (contains(range, span.enter)) return Hit{.t = span.enter, .element = span.enter_face};
     if (contains(range, span.leave)) return Hit{.t = span.leave, .element = span.leave_face};
     return std::nullopt;

@@ -14,10 +14,8 @@ Real lipschitz_bound(const Implicit& implicit) {
 
 std::optional<Hit> sphere_trace(const Implicit& implicit, Real lipschitz, const Ray& ray, Interval range,
                                 Real tolerance) {
-    // [exercise 10.10] Take the chord of the part of the range that is ahead. At λ = 0 begin to walk: |f|
-    // there, over lipschitz, is how far the surface is away at least; divided by the length of `way`, it is a
-    // step of λ. If that is no longer than the tolerance, or if adding it to λ changes nothing, you have
-    // arrived: return a Hit with the chord's t at λ. Beyond λ = 1 there is nothing.
+    // [exercise 10.14] Walk along the part of the chord that is in the range and ahead, each step as long as
+    // is safe, and return a Hit where you arrive; or nothing.
     const std::optional<Chord> part = chord(implicit.box, ray, {std::max(range.min, Real(0)), range.max});
     if (!part) return std::nullopt;
     const Real far = length(part->way);

@@ -37,8 +37,7 @@ namespace {
 }  // namespace
 
 Polynomial torus_quartic(const Torus& torus, const TorusLine& line, Real base) {
-    // [exercise 10.8] Return Q² − P as its five coefficients. With x at the base, x·x is q·q + base² and
-    // grows by 2·base·σ + σ². For P, z is linear in σ, and so is the vector x × n, whose length is ρ.
+    // [exercise 10.9] Return Q² − P as its five coefficients in σ, in the form that suits the torus.
     const Real R = torus.ring, r = torus.tube;
     const Vec3 x = line.q + base * line.e;
     const Real square = dot(line.q, line.q) + base * base;
@@ -94,12 +93,9 @@ TorusSpans inside(const Torus& torus, const Ray& ray) {
     TorusSpans spans;
     const std::optional<TorusLine> line = torus_line(torus, ray);
     if (!line) return spans;
-    // [exercise 10.8] The torus lies between two planes, |z| ≤ r, and in the ball |x| ≤ R + r, where |τ| ≤
-    // √((R + r)² − q·q); what the two have in common is worth a look. Within that, a ball about the centre is
-    // decided: if the ring is wide, the one of radius R − r is outside; if R < r, the one with |x|² ≤ r² − R²
-    // is inside. If the line passes that ball, or there is none, `add_piece` all of it, expanded at τ = 0. If
-    // not, add a piece on each side of the ball, expanded where it ends, and between them `add` the ball
-    // itself, if it is inside. At last, τ becomes t = from + τ/speed.
+    // [exercise 10.10] Return the parts of the line that are inside, in the ray's t. Look only at what is in
+    // the ball |x| ≤ R + r and between the planes |z| = r, and leave out the ball about the centre that is
+    // known to be outside or inside. `add_piece` and `add` collect the parts.
     const Real R = torus.ring, r = torus.tube, q2 = dot(line->q, line->q);
     const Real end = std::sqrt(std::max((R + r) * (R + r) - q2, Real(0)));
     const std::optional<Span> slice = slab(dot(line->q, line->n), dot(line->e, line->n), -r, r);

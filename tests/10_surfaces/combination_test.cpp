@@ -1,4 +1,4 @@
-// Step 10.11: solids made of solids, one line at a time.
+// Step 10.15: solids made of solids, one line at a time.
 #include "chapters/10_surfaces/combination.hpp"
 #include "common/math/error.hpp"
 #include "common/render/combinations.hpp"
@@ -75,28 +75,28 @@ void check_point(SetOperation operation, bool both, bool only_a, bool only_b, bo
 
 // ------------------------------------------------------------------------------------------- one point
 
-TEST_CASE("a point is inside a union if it is inside either solid", "[10.11]") {
+TEST_CASE("a point is inside a union if it is inside either solid", "[10.15]") {
     check_point(SetOperation::Union, true, true, true, false);
 }
 
-TEST_CASE("a point is inside an intersection if it is inside both solids", "[10.11]") {
+TEST_CASE("a point is inside an intersection if it is inside both solids", "[10.15]") {
     check_point(SetOperation::Intersection, true, false, false, false);
 }
 
-TEST_CASE("a point is inside a difference if it is inside the first solid but not the second", "[10.11]") {
+TEST_CASE("a point is inside a difference if it is inside the first solid but not the second", "[10.15]") {
     check_point(SetOperation::Difference, false, true, false, false);
 }
 
 // -------------------------------------------------------------------------------------------- one line
 
-TEST_CASE("two pieces that overlap, from 1 to 4 and from 2 to 6", "[10.11]") {
+TEST_CASE("the worked example: two pieces that overlap, from 1 to 4 and from 2 to 6", "[10.15]") {
     check_combined(SetOperation::Union, a_at({1, 4}), b_at({2, 6}), {{1, 10}, {6, 21}});
     check_combined(SetOperation::Intersection, a_at({1, 4}), b_at({2, 6}), {{2, 20}, {4, 11}});
     check_combined(SetOperation::Difference, a_at({1, 4}), b_at({2, 6}), {{1, 10}, {2, 20}});
     check_combined(SetOperation::Difference, a_at({2, 6}), b_at({1, 4}), {{4, 21}, {6, 11}});
 }
 
-TEST_CASE("a piece inside another: a tunnel is two pieces", "[10.11]") {
+TEST_CASE("a piece inside another: a tunnel is two pieces", "[10.15]") {
     check_combined(SetOperation::Union, a_at({1, 8}), b_at({3, 5}), {{1, 10}, {8, 11}});
     check_combined(SetOperation::Intersection, a_at({1, 8}), b_at({3, 5}), {{3, 20}, {5, 21}});
     check_combined(SetOperation::Difference, a_at({1, 8}), b_at({3, 5}),
@@ -104,14 +104,14 @@ TEST_CASE("a piece inside another: a tunnel is two pieces", "[10.11]") {
     check_combined(SetOperation::Difference, a_at({3, 5}), b_at({1, 8}), {});
 }
 
-TEST_CASE("pieces that are apart", "[10.11]") {
+TEST_CASE("pieces that are apart", "[10.15]") {
     check_combined(SetOperation::Union, a_at({1, 2}), b_at({4, 5}), {{1, 10}, {2, 11}, {4, 20}, {5, 21}});
     check_combined(SetOperation::Union, a_at({4, 5}), b_at({1, 2}), {{1, 20}, {2, 21}, {4, 10}, {5, 11}});
     check_combined(SetOperation::Intersection, a_at({1, 2}), b_at({4, 5}), {});
     check_combined(SetOperation::Difference, a_at({1, 2}), b_at({4, 5}), {{1, 10}, {2, 11}});
 }
 
-TEST_CASE("with nothing a solid is itself, or nothing", "[10.11]") {
+TEST_CASE("with nothing a solid is itself, or nothing", "[10.15]") {
     check_combined(SetOperation::Union, a_at({1, 2}), {}, {{1, 10}, {2, 11}});
     check_combined(SetOperation::Union, {}, b_at({1, 2}), {{1, 20}, {2, 21}});
     check_combined(SetOperation::Intersection, a_at({1, 2}), {}, {});
@@ -120,7 +120,7 @@ TEST_CASE("with nothing a solid is itself, or nothing", "[10.11]") {
     check_combined(SetOperation::Difference, {}, b_at({1, 2}), {});
 }
 
-TEST_CASE("solids of several pieces", "[10.11]") {
+TEST_CASE("solids of several pieces", "[10.15]") {
     check_combined(SetOperation::Union, a_at({1, 3, 5, 7}), b_at({2, 6}), {{1, 10}, {7, 13}});
     check_combined(SetOperation::Intersection, a_at({1, 3, 5, 7}), b_at({2, 6}),
                    {{2, 20}, {3, 11}, {5, 12}, {6, 21}});
@@ -128,7 +128,7 @@ TEST_CASE("solids of several pieces", "[10.11]") {
                    {{1, 10}, {2, 20}, {3, 21}, {5, 22}, {6, 23}, {9, 11}});
 }
 
-TEST_CASE("half of the line, as behind a plane", "[10.11]") {
+TEST_CASE("half of the line, as behind a plane", "[10.15]") {
     check_combined(SetOperation::Intersection, a_at({-infinity, 3}), b_at({1, 5}), {{1, 20}, {3, 11}});
     check_combined(SetOperation::Difference, a_at({1, 5}), b_at({3, infinity}), {{1, 10}, {3, 20}});
     check_combined(SetOperation::Union, a_at({-infinity, 3}), b_at({2, infinity}),
@@ -137,43 +137,43 @@ TEST_CASE("half of the line, as behind a plane", "[10.11]") {
 
 // --------------------------------------------------------------------------------- faces in one place
 
-TEST_CASE("solids that share a face are one, without a wall between", "[10.11]") {
+TEST_CASE("solids that share a face are one, without a wall between", "[10.15]") {
     check_combined(SetOperation::Union, a_at({1, 3}), b_at({3, 5}), {{1, 10}, {5, 21}});
     check_combined(SetOperation::Union, a_at({3, 5}), b_at({1, 3}), {{1, 20}, {5, 11}});
 }
 
-TEST_CASE("solids that only touch have nothing in common", "[10.11]") {
+TEST_CASE("solids that only touch have nothing in common", "[10.15]") {
     check_combined(SetOperation::Intersection, a_at({1, 3}), b_at({3, 5}), {});
     check_combined(SetOperation::Intersection, a_at({3, 5}), b_at({1, 3}), {});
     check_combined(SetOperation::Difference, a_at({1, 3}), b_at({3, 5}), {{1, 10}, {3, 11}});
 }
 
-TEST_CASE("of two faces in one place the first solid's is met", "[10.11]") {
+TEST_CASE("of two faces in one place the first solid's is met", "[10.15]") {
     check_combined(SetOperation::Union, a_at({1, 3}), b_at({1, 5}), {{1, 10}, {5, 21}});
     check_combined(SetOperation::Intersection, a_at({1, 3}), b_at({1, 5}), {{1, 10}, {3, 11}});
     check_combined(SetOperation::Intersection, a_at({1, 5}), b_at({2, 5}), {{2, 20}, {5, 11}});
 }
 
-TEST_CASE("what a cut leaves begins and ends where the cut does, without a skin", "[10.11]") {
+TEST_CASE("what a cut leaves begins and ends where the cut does, without a skin", "[10.15]") {
     check_combined(SetOperation::Difference, a_at({1, 5}), b_at({1, 3}), {{3, 21}, {5, 11}});
     check_combined(SetOperation::Difference, a_at({1, 5}), b_at({3, 5}), {{1, 10}, {3, 20}});
     check_combined(SetOperation::Difference, a_at({1, 5}), b_at({1, 5}), {});
 }
 
-TEST_CASE("a solid that the line only touches adds nothing and takes nothing away", "[10.11]") {
+TEST_CASE("a solid that the line only touches adds nothing and takes nothing away", "[10.15]") {
     check_combined(SetOperation::Union, a_at({1, 5}), b_at({7, 7}), {{1, 10}, {5, 11}});
     check_combined(SetOperation::Intersection, a_at({1, 5}), b_at({3, 3}), {});
     check_combined(SetOperation::Difference, a_at({1, 5}), b_at({3, 3}), {{1, 10}, {5, 11}});
     check_combined(SetOperation::Difference, a_at({1, 5}), b_at({1, 1}), {{1, 10}, {5, 11}});
 }
 
-TEST_CASE("the face is that of the solid which is entered, not of one that is touched there", "[10.11]") {
+TEST_CASE("the face is that of the solid which is entered, not of one that is touched there", "[10.15]") {
     check_combined(SetOperation::Union, a_at({2, 2}), b_at({2, 5}), {{2, 20}, {5, 21}});
 }
 
 // ---------------------------------------------------------------------------------- against its meaning
 
-TEST_CASE("in the middle of every piece the line is inside, and between them outside", "[10.11]") {
+TEST_CASE("in the middle of every piece the line is inside, and between them outside", "[10.15]") {
     Random random(1011);
     for (int i = 0; i < cases(2000); ++i) {
         // Whole numbers, so that many are equal.
@@ -253,13 +253,13 @@ std::string error_of(const std::string& solids) {
 
 }  // namespace
 
-TEST_CASE("a ball with a hole along x is crossed beside the hole, and not in it", "[10.11]") {
+TEST_CASE("a ball with a hole along x is crossed beside the hole, and not in it", "[10.15]") {
     const std::string bead = "difference\nsphere 0 0 0 2\ncylinder -3 0 0 3 0 0 1\nend\n";
     check_crossings(bead, {{-10, 0.5, 0}, {1, 0, 0}}, {});
     check_crossings(bead, {{0, 10, 0}, {0, -1, 0}}, {8, 9, 11, 12});
 }
 
-TEST_CASE("the wall of a hole looks into the hole", "[10.11]") {
+TEST_CASE("the wall of a hole looks into the hole", "[10.15]") {
     const Surface surface = first_surface("difference\nsphere 0 0 0 2\ncylinder -3 0 0 3 0 0 1\nend\n",
                                           {{0, 0, 0}, {0, -1, 0}}, 1);
     INFO("expected normal (0, 1, 0), actual " << surface.normal);
@@ -267,7 +267,7 @@ TEST_CASE("the wall of a hole looks into the hole", "[10.11]") {
     CHECK(test::near(surface.shading_normal, Vec3(0, 1, 0), gamma(16)));
 }
 
-TEST_CASE("what is taken from what is taken away stays, and looks outwards", "[10.11]") {
+TEST_CASE("what is taken from what is taken away stays, and looks outwards", "[10.15]") {
     // A cube with a hole in which a ball is left.
     const std::string nest =
         "difference\nbox -3 -3 -3 3 3 3\ndifference\ncylinder -4 0 0 4 0 0 2\nsphere 0 0 0 1\nend\nend\n";
@@ -277,12 +277,12 @@ TEST_CASE("what is taken from what is taken away stays, and looks outwards", "[1
     CHECK(test::near(ball.normal, Vec3(-1, 0, 0), gamma(16)));
 }
 
-TEST_CASE("a lens is what two balls have in common", "[10.11]") {
+TEST_CASE("a lens is what two balls have in common", "[10.15]") {
     check_crossings("intersection\nsphere -1 0 0 2\nsphere 1 0 0 2\nend\n", {{-10, 0, 0}, {1, 0, 0}},
                     {9, 11});
 }
 
-TEST_CASE("half a ball ends at the plane", "[10.11]") {
+TEST_CASE("half a ball ends at the plane", "[10.15]") {
     check_crossings("intersection\nsphere 0 0 0 2\nplane 0 0 0 1 0 0\nend\n", {{-10, 0, 0}, {1, 0, 0}},
                     {8, 10});
     check_crossings("intersection\nsphere 0 0 0 2\nplane 0 0 0 1 0 0\nend\n", {{1, -10, 0}, {0, 1, 0}}, {});
@@ -290,7 +290,7 @@ TEST_CASE("half a ball ends at the plane", "[10.11]") {
                     {10 - std::sqrt(3.0), 10 + std::sqrt(3.0)});
 }
 
-TEST_CASE("boxes side by side are one, from whichever side they are looked at", "[10.11]") {
+TEST_CASE("boxes side by side are one, from whichever side they are looked at", "[10.15]") {
     const std::string row = "union\nbox 0 0 0 0.1 1 1\nbox 0.1 0 0 0.7 1 1\nbox 0.7 0 0 1 1 1\nend\n";
     Random random(101102);
     for (int i = 0; i < cases(2000); ++i) {
@@ -301,7 +301,7 @@ TEST_CASE("boxes side by side are one, from whichever side they are looked at", 
     }
 }
 
-TEST_CASE("a hole whose end is in a face leaves no skin, whatever has been moved to be there", "[10.11]") {
+TEST_CASE("a hole whose end is in a face leaves no skin, whatever has been moved to be there", "[10.15]") {
     // Numbers that are sums of powers of two, so that the faces are in one plane to the bit.
     const std::string pots[] = {
         "difference\nbox -2 0 -2 2 0.5 2\ncylinder 0 0.125 0 0 0.5 0 1\nend\n",
@@ -321,7 +321,7 @@ TEST_CASE("a hole whose end is in a face leaves no skin, whatever has been moved
         }
 }
 
-TEST_CASE("faces are in one plane also where rounding has put them side by side", "[10.11]") {
+TEST_CASE("faces are in one plane also where rounding has put them side by side", "[10.15]") {
     // 0.1 + 0.2 is not 0.3.
     const std::string pot =
         "difference\nbox -2 0 -2 2 0.3 2\ntranslate 0 0.1 0\ncylinder 0 0.025 0 0 0.2 0 1\nend\n";
@@ -338,7 +338,7 @@ TEST_CASE("faces are in one plane also where rounding has put them side by side"
     }
 }
 
-TEST_CASE("a plane in the plane of a face", "[10.11]") {
+TEST_CASE("a plane in the plane of a face", "[10.15]") {
     const std::string cut = "intersection\nbox -1 -1 -1 1 1 1\nplane 1 0 0 1 0 0\nend\n";
     check_crossings(cut, {{-10, 0.5, 0.25}, {1, 0, 0}}, {9, 11});
     check_crossings(cut, {{10, 0.5, 0.25}, {-1, 0, 0}}, {9, 11});
@@ -351,7 +351,7 @@ TEST_CASE("a plane in the plane of a face", "[10.11]") {
     check_crossings(rest, {{0.5, -10, 0.25}, {0, 1, 0}}, {8, 9, 11, 12});
 }
 
-TEST_CASE("a line that touches an edge of a mesh from inside goes on inside", "[10.11]") {
+TEST_CASE("a line that touches an edge of a mesh from inside goes on inside", "[10.15]") {
     // A beam of the section of an L; the two faces at its inner edge come first.
     const std::filesystem::path directory = test::scratch_directory();
     std::ofstream(directory / "beam.obj")
@@ -368,7 +368,7 @@ TEST_CASE("a line that touches an edge of a mesh from inside goes on inside", "[
     check_crossings(world, solids, {{-1, 1.5, 0.25}, {1, 0, 0}}, {1, 2});     // not near the edge
 }
 
-TEST_CASE("what is no solid, or endless, is refused", "[10.11]") {
+TEST_CASE("what is no solid, or endless, is refused", "[10.15]") {
     CHECK(error_of("intersection\nsphere 0 0 0 1\nsphere 9 0 0 1\nend\n") ==
           "test.scene:2:1: nothing is left of this solid: what is intersected here has nothing in common");
     CHECK(error_of("union\nsphere 0 0 0 1\nplane 0 0 0 0 1 0\nend\n") ==
@@ -376,7 +376,7 @@ TEST_CASE("what is no solid, or endless, is refused", "[10.11]") {
           "else");
 }
 
-TEST_CASE("a mesh is a solid like others, also for lines through its edges and corners", "[10.11]") {
+TEST_CASE("a mesh is a solid like others, also for lines through its edges and corners", "[10.15]") {
     // An octahedron, of which a ball leaves the outer parts.
     const std::filesystem::path directory = test::scratch_directory();
     std::ofstream(directory / "gem.obj")
@@ -392,7 +392,7 @@ TEST_CASE("a mesh is a solid like others, also for lines through its edges and c
     check_crossings(world, solids, {{-5, 1, 0}, {1, 0, 0}}, {});  // touches a corner
 }
 
-TEST_CASE("solids nested deeply", "[10.11]") {
+TEST_CASE("solids nested deeply", "[10.15]") {
     std::string shells = "sphere 0 0 0 1\n";
     for (int i = 2; i <= 40; ++i)
         shells = "difference\nsphere 0 0 0 " + std::to_string(i) + "\n" + shells + "end\n";

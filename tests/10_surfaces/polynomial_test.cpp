@@ -1,4 +1,4 @@
-// Step 10.7: real roots of a polynomial.
+// Steps 10.7 and 10.8: real roots of a polynomial.
 #include "chapters/10_surfaces/polynomial.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -95,33 +95,44 @@ TEST_CASE("a root at one of the ends is found there", "[10.7]") {
     check_root({{-2, 3, -1}}, 1.5, 2, 2);
 }
 
+TEST_CASE("the root is not beyond the ends of the bracket", "[10.7]") {
+    // At 0.5 the polynomial is 0 but for rounding, and Newton's last step leads to below it.
+    const Polynomial p{{-0.0234375, -0.054687499999999993, 0.828125, -1.75, 1}};
+    for (const Real high : {0.6, 0.7}) {
+        const Real t = root_between(p, 0.5, high);
+        INFO(p << " between 0.5 and " << test::show(high) << ": " << test::show(t));
+        CHECK(0.5 <= t);
+        CHECK(t <= high);
+    }
+}
+
 // ----------------------------------------------------------------------------------------- all the roots
 
-TEST_CASE("the worked example: t^3 - 3t + 1", "[10.7]") {
+TEST_CASE("the worked example: t^3 - 3t + 1", "[10.8]") {
     // Its derivative is 0 at -1 and 1, where it is 3 and -1.
     check_changes({{1, -3, 0, 1}}, -2, 2,
                   {2 * std::cos(8 * pi / 9), 2 * std::cos(4 * pi / 9), 2 * std::cos(2 * pi / 9)});
 }
 
-TEST_CASE("the roots 1, 2, 3 and 4", "[10.7]") {
+TEST_CASE("the roots 1, 2, 3 and 4", "[10.8]") {
     check_changes(one_to_four, 0, 5, {1, 2, 3, 4});
     check_changes(one_to_four, -1000, 1000, {1, 2, 3, 4});
 }
 
-TEST_CASE("only the roots of the interval", "[10.7]") {
+TEST_CASE("only the roots of the interval", "[10.8]") {
     check_changes(one_to_four, 1.5, 3.5, {2, 3});
     check_changes(one_to_four, 1.5, 1.75, {});
     check_changes(one_to_four, 2.5, 100, {3, 4});
     check_changes(one_to_four, -5, 0, {});
 }
 
-TEST_CASE("a polynomial that has no roots", "[10.7]") {
+TEST_CASE("a polynomial that has no roots", "[10.8]") {
     check_changes({{1, 0, 0, 0, 1}}, -10, 10, {});
     check_changes({{-1, 0, 0, 0, -1}}, -10, 10, {});
     check_changes({{2, -2, 1}}, -10, 10, {});
 }
 
-TEST_CASE("a polynomial of a lower degree", "[10.7]") {
+TEST_CASE("a polynomial of a lower degree", "[10.8]") {
     check_changes({{-1, 0, 0, 0, 1}}, -10, 10, {-1, 1});
     check_changes({{0, -1, 0, 1}}, -10, 10, {-1, 0, 1});
     check_changes({{-1, 0, 1}}, -10, 10, {-1, 1});
@@ -131,12 +142,12 @@ TEST_CASE("a polynomial of a lower degree", "[10.7]") {
     check_changes({{0}}, -10, 10, {});
 }
 
-TEST_CASE("an interval of one point has no change", "[10.7]") {
+TEST_CASE("an interval of one point has no change", "[10.8]") {
     check_changes(one_to_four, 1, 1, {});
     check_changes(one_to_four, 2.5, 2.5, {});
 }
 
-TEST_CASE("no root is beyond the ends of the interval", "[10.7]") {
+TEST_CASE("no change of sign is found outside of the interval", "[10.8]") {
     // At 0.5 the polynomial is 0 but for rounding, and Newton's last step may lead to below it.
     const Polynomial p{{-0.0234375, -0.054687499999999993, 0.828125, -1.75, 1}};
     const SignChanges changes = sign_changes(p, 0.5, 1.5311667705431196);
@@ -147,7 +158,7 @@ TEST_CASE("no root is beyond the ends of the interval", "[10.7]") {
     }
 }
 
-TEST_CASE("two roots that are a millionth apart are two", "[10.7]") {
+TEST_CASE("two roots that are a millionth apart are two", "[10.8]") {
     // (t - 1)(t - 1 - e): its coefficients are exact.
     const Real e = 0x1p-20;
     check_changes({{1 + e, -2 - e, 1}}, 0, 2, {1, 1 + e});
@@ -155,14 +166,14 @@ TEST_CASE("two roots that are a millionth apart are two", "[10.7]") {
     check_changes({{1 + e, -2 - e, 1}}, -1e4, 1e4, {1, 1 + e});
 }
 
-TEST_CASE("a polynomial that stays a millionth away from 0 has no roots", "[10.7]") {
+TEST_CASE("a polynomial that stays a millionth away from 0 has no roots", "[10.8]") {
     // (t - 1)^2 + e^2
     const Real e = 0x1p-20;
     check_changes({{1 + e * e, -2, 1}}, 0, 2, {});
     check_changes({{-1 - e * e, 2, -1}}, 0, 2, {});
 }
 
-TEST_CASE("a double root is two changes, or none", "[10.7]") {
+TEST_CASE("a double root is two changes, or none", "[10.8]") {
     for (const Polynomial& p :
          {Polynomial{{1, -2, 1}}, Polynomial{{-1, 2, -1}}, Polynomial{{4, -12, 13, -6, 1}}}) {
         const SignChanges changes = sign_changes(p, 0, 1.5);
@@ -173,7 +184,7 @@ TEST_CASE("a double root is two changes, or none", "[10.7]") {
     }
 }
 
-TEST_CASE("two quartics on which closed formulas fail", "[10.7]") {
+TEST_CASE("two quartics on which closed formulas fail", "[10.8]") {
     // (t^2 - 120t + 5524.5)^2 = 4048200, so that t = 60 +- sqrt(sqrt(4048200) - 1924.5).
     const Real half = std::sqrt(std::sqrt(4048200.0) - 1924.5);
     check_changes({{26471900.25, -1325880, 25449, -240, 1}}, -300, 300, {60 - half, 60 + half});
@@ -181,7 +192,7 @@ TEST_CASE("two quartics on which closed formulas fail", "[10.7]") {
                   {-223.009483226308410, -39.8852846856193326, 30.11797881450675617, 213.2421780974209868});
 }
 
-TEST_CASE("quartics with whole roots have them", "[10.7]") {
+TEST_CASE("quartics with whole roots have them", "[10.8]") {
     Random random(10701);
     for (int i = 0; i < cases(5000); ++i) {
         std::vector<Real> roots;

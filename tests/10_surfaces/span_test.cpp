@@ -21,6 +21,14 @@ void check_everywhere(const std::optional<Span>& actual) {
 
 // ----------------------------------------------------------------------------------------------- slab
 
+TEST_CASE("the worked example: between the planes of x from 1 to 2, of y from 0.5 to 1.5", "[10.1]") {
+    // The ray from (−1, −1) along (2, 1), and the box from (1, −½) to (3, ½).
+    const std::optional<Span> x = slab(-1, 2, 1, 3), y = slab(-1, 1, -0.5, 0.5);
+    check_span(x, {1, 2, 0, 1});
+    check_span(y, {0.5, 1.5, 0, 1});
+    check_span(common_part(*x, *y), {1, 1.5, 0, 1});
+}
+
 TEST_CASE("a line that climbs by 2 from -1 is between 0 and 3 from t = 0.5 to 2", "[10.1]") {
     check_span(slab(-1, 2, 0, 3), {0.5, 2, 0, 1});
 }

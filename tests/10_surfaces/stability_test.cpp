@@ -52,11 +52,11 @@ TEST_CASE("rays that leave a cone or cylinder meet it no more, or at its far sid
     check_leaving(tally, cone_families(), 2'000, seed);
 }
 
-TEST_CASE("no crossing with an implicit surface is missed on extreme cases", "[10.9][stability]") {
+TEST_CASE("no crossing with an implicit surface is missed on extreme cases", "[10.13][stability]") {
     check_families(implicit_families(), 3'000);
 }
 
-TEST_CASE("rays that leave an implicit surface begin where they should", "[10.9][stability]") {
+TEST_CASE("rays that leave an implicit surface begin where they should", "[10.13][stability]") {
     check_leaving(tally, implicit_families(), 2'000, seed);
 }
 

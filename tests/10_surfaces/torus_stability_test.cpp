@@ -18,7 +18,7 @@ Tally tally("10 tori");
 
 }  // namespace
 
-TEST_CASE("the roots of extreme quartics are all found", "[10.7][stability]") {
+TEST_CASE("the roots of extreme quartics are all found", "[10.8][stability]") {
     for (const PolynomialFamily& family : polynomial_families()) {
         const auto questions = family.make(how_many(tally, cases_a_family), seed);
         const auto tenth = a_tenth(questions, cases_a_family);
@@ -31,7 +31,7 @@ TEST_CASE("the roots of extreme quartics are all found", "[10.7][stability]") {
     }
 }
 
-TEST_CASE("what is inside a torus is right on extreme cases", "[10.8][stability]") {
+TEST_CASE("what is inside a torus is right on extreme cases", "[10.10][stability]") {
     for (const TorusFamily& family : torus_families()) {
         const auto questions = family.make(how_many(tally, cases_a_family), seed);
         const auto tenth = a_tenth(questions, cases_a_family);
@@ -43,7 +43,7 @@ TEST_CASE("what is inside a torus is right on extreme cases", "[10.8][stability]
 }
 
 TEST_CASE("rays that leave a torus start outside of it, or inside, and then meet what is there",
-          "[10.8][stability]") {
+          "[10.10][stability]") {
     check_leaving(tally, torus_families(), cases_a_family, seed);
 }
 

@@ -1,4 +1,4 @@
-// Step 10.8: the torus.
+// Steps 10.9 and 10.10: the torus.
 #include "chapters/10_surfaces/torus.hpp"
 #include "tests/10_surfaces/check_span.hpp"
 
@@ -104,7 +104,7 @@ Case some_case(Random& random) {
 
 // ---------------------------------------------------------------------------------------- the quartic
 
-TEST_CASE("the worked example: the quartic of a line across the ring", "[10.8]") {
+TEST_CASE("the worked example: the quartic of a line across the ring", "[10.9]") {
     // Q = s^2 - 10, P = 36: (s^2 - 16)(s^2 - 4).
     check_quartic(ring, {.q = {0, 0, 0}, .e = {1, 0, 0}, .n = {0, 1, 0}}, 0, {64, 0, -20, 0, 1});
     // At the height 0.6, half of the tube is 0.8 wide: from 2.2 to 3.8.
@@ -112,20 +112,20 @@ TEST_CASE("the worked example: the quartic of a line across the ring", "[10.8]")
                   {2.2 * 2.2 * 3.8 * 3.8, 0, -2.2 * 2.2 - 3.8 * 3.8, 0, 1});
 }
 
-TEST_CASE("the same quartic from another base", "[10.8]") {
+TEST_CASE("the same quartic from another base", "[10.9]") {
     // (s + 6)(s + 4)(s - 2)s
     check_quartic(ring, {.q = {0, 0, 0}, .e = {1, 0, 0}, .n = {0, 1, 0}}, 2, {0, -48, 4, 8, 1});
     check_quartic(ring, {.q = {0, 0, 0}, .e = {1, 0, 0}, .n = {0, 1, 0}}, -2, {0, 48, 4, -8, 1});
     check_quartic(fat, {.q = {0, 0, 0}, .e = {0, 0, 1}, .n = {0, 1, 0}}, 1, {0, -48, -20, 4, 1});
 }
 
-TEST_CASE("the quartic of a torus with a narrow hole, and of a spindle", "[10.8]") {
+TEST_CASE("the quartic of a torus with a narrow hole, and of a spindle", "[10.9]") {
     // (s^2 - 25)(s^2 - 1), and (s^2 - 64)(s^2 - 4), of which 2 is on the lemon.
     check_quartic(fat, {.q = {0, 0, 0}, .e = {1, 0, 0}, .n = {0, 1, 0}}, 0, {25, 0, -26, 0, 1});
     check_quartic(spindle, {.q = {0, 0, 0}, .e = {1, 0, 0}, .n = {0, 1, 0}}, 0, {256, 0, -68, 0, 1});
 }
 
-TEST_CASE("the quartic of a line along the axis, or parallel to it", "[10.8]") {
+TEST_CASE("the quartic of a line along the axis, or parallel to it", "[10.9]") {
     // On the axis of the ring it is (s^2 + 8)^2; down through the tube, 3 from the axis, (s^2 - 1)(s^2 + 35).
     check_quartic(ring, {.q = {0, 0, 0}, .e = {0, 1, 0}, .n = {0, 1, 0}}, 0, {64, 0, 16, 0, 1});
     check_quartic(ring, {.q = {3, 0, 0}, .e = {0, 1, 0}, .n = {0, 1, 0}}, 0, {-35, 0, 34, 0, 1});
@@ -133,7 +133,7 @@ TEST_CASE("the quartic of a line along the axis, or parallel to it", "[10.8]") {
     check_quartic(fat, {.q = {0, 0, 0}, .e = {0, 1, 0}, .n = {0, 1, 0}}, 0, {25, 0, 10, 0, 1});
 }
 
-TEST_CASE("the quartic of a line that is askew", "[10.8]") {
+TEST_CASE("the quartic of a line that is askew", "[10.9]") {
     // n = (0, 1, 0), q = (1, 0, 0), e = (0, 0.6, 0.8): z = 0.6s, x.x = 1 + s^2, and the distance from the
     // axis squared is 1 + 0.64s^2.
     const TorusLine line{.q = {1, 0, 0}, .e = {0, 0.6, 0.8}, .n = {0, 1, 0}};
@@ -143,27 +143,44 @@ TEST_CASE("the quartic of a line that is askew", "[10.8]") {
     check_quartic(ring, line, 1, {64 - 36 * 0.64, -32 + 36 * 0.72, 4 - 16 + 36 * 0.36, 4, 1});
 }
 
+TEST_CASE("the quartic of a thin ring keeps its digits", "[10.9]") {
+    // Where the line meets the ring itself, Q is -r^2 and P is 4r^2; the ring's radius is a million times r.
+    const Torus thin{{0, 0, 0}, {0, 1, 0}, 1, 1e-6};
+    const Polynomial quartic = torus_quartic(thin, {.q = {0, 0, 0}, .e = {1, 0, 0}, .n = {0, 1, 0}}, 1);
+    INFO(thin << ", a line along x through the centre, base 1: " << quartic);
+    INFO("expected at the base r^4 - 4r^2 = -3.999999999999e-12, actual " << test::show(quartic.a[0]));
+    CHECK(test::near(quartic.a[0], -3.999999999999e-12, 1e-20));
+}
+
+TEST_CASE("the quartic beside the axis keeps its digits where the hole is one point", "[10.9]") {
+    // A millionth from the axis x.x is 1e-12, and the quartic is that squared, less 16 times it.
+    const Polynomial quartic = torus_quartic(closed, {.q = {1e-6, 0, 0}, .e = {0, 1, 0}, .n = {0, 1, 0}}, 0);
+    INFO(closed << ", a line along y, 1e-6 from the axis, base 0: " << quartic);
+    INFO("expected at the base -1.5999999999999e-11, actual " << test::show(quartic.a[0]));
+    CHECK(test::near(quartic.a[0], -1.5999999999999e-11, 1e-20));
+}
+
 // ------------------------------------------------------------------------------------- what is inside
 
-TEST_CASE("a line across the ring is inside twice", "[10.8]") {
+TEST_CASE("a line across the ring is inside twice", "[10.10]") {
     check_inside(ring, {{10, 0, 0}, {-1, 0, 0}}, {{6, 8}, {12, 14}});
     check_inside(ring, {{10, 0, 0}, {-2, 0, 0}}, {{3, 4}, {6, 7}});
     check_inside(ring, {{10, 0.6, 0}, {-1, 0, 0}}, {{6.2, 7.8}, {12.2, 13.8}});
     check_inside(fat, {{10, 0, 0}, {-1, 0, 0}}, {{5, 9}, {11, 15}});
 }
 
-TEST_CASE("a line down through the tube is inside once", "[10.8]") {
+TEST_CASE("a line down through the tube is inside once", "[10.10]") {
     check_inside(ring, {{3, 10, 0}, {0, -1, 0}}, {{9, 11}});
     check_inside(ring, {{0, 10, 3.6}, {0, -1, 0}}, {{9.2, 10.8}});
     check_inside(fat, {{0, 10, 3}, {0, -1, 0}}, {{8, 12}});
 }
 
-TEST_CASE("a line beside the hole is inside once, and long", "[10.8]") {
+TEST_CASE("a line beside the hole is inside once, and long", "[10.10]") {
     // 3 from the axis, it is inside as long as it is no farther than 4.
     check_inside(ring, {{10, 0, 3}, {-1, 0, 0}}, {{10 - std::sqrt(7.0), 10 + std::sqrt(7.0)}});
 }
 
-TEST_CASE("lines through the hole, above it and beside the torus are nowhere inside", "[10.8]") {
+TEST_CASE("lines through the hole, above it and beside the torus are nowhere inside", "[10.10]") {
     check_inside(ring, {{0, 10, 0}, {0, -1, 0}}, {});
     check_inside(ring, {{1.5, 10, 0}, {0, -1, 0}}, {});
     check_inside(ring, {{10, 1.5, 0}, {-1, 0, 0}}, {});
@@ -171,11 +188,11 @@ TEST_CASE("lines through the hole, above it and beside the torus are nowhere ins
     check_inside(ring, {{1, 3, 0}, {-0.25, -1, 0}}, {});
 }
 
-TEST_CASE("a line that begins inside is inside also behind its beginning", "[10.8]") {
+TEST_CASE("a line that begins inside is inside also behind its beginning", "[10.10]") {
     check_inside(ring, {{3, 0, 0}, {1, 0, 0}}, {{-7, -5}, {-1, 1}});
 }
 
-TEST_CASE("the torus may stand anywhere, and its axis have any length", "[10.8]") {
+TEST_CASE("the torus may stand anywhere, and its axis have any length", "[10.10]") {
     const Vec3 place(10, 20, 30);
     const Torus moved{place, {0, 0, -5}, 3, 1};
     check_inside(moved, {place + Vec3(10, 0, 0), {-1, 0, 0}}, {{6, 8}, {12, 14}});
@@ -183,7 +200,7 @@ TEST_CASE("the torus may stand anywhere, and its axis have any length", "[10.8]"
     check_inside(moved, {place + Vec3(0, 10, 0.6), {0, -1, 0}}, {{6.2, 7.8}, {12.2, 13.8}});
 }
 
-TEST_CASE("where the hole is one point, a line across is inside to either side of it", "[10.8]") {
+TEST_CASE("where the hole is one point, a line across is inside to either side of it", "[10.10]") {
     const Ray ray{{10, 0, 0}, {-1, 0, 0}};
     const TorusSpans spans = inside(closed, ray);
     INFO(describe(closed, ray) << "\nexpected from 6 to 14, perhaps but for the centre at 10; actual: "
@@ -200,33 +217,33 @@ TEST_CASE("where the hole is one point, a line across is inside to either side o
     }
 }
 
-TEST_CASE("beside the axis of a torus whose hole is one point", "[10.8]") {
+TEST_CASE("beside the axis of a torus whose hole is one point", "[10.10]") {
     // A distance x from the axis, it is inside where y^2 <= 4x - x^2.
     check_inside(closed, {{0.5, 10, 0}, {0, -1, 0}}, {{10 - std::sqrt(1.75), 10 + std::sqrt(1.75)}});
     const Real x = 0x1p-40, half = std::sqrt(4 * x - x * x);
     check_inside(closed, {{x, 0, 0}, {0, -1, 0}}, {{-half, half}});
 }
 
-TEST_CASE("a spindle has no hole, and the lemon inside is no surface", "[10.8]") {
+TEST_CASE("a spindle has no hole, and the lemon inside is no surface", "[10.10]") {
     check_inside(spindle, {{10, 0, 0}, {-1, 0, 0}}, {{2, 18}});
     check_inside(spindle, {{0, 10, 0}, {0, -1, 0}}, {{6, 14}});
     check_inside(spindle, {{1, 0, 0}, {0, 1, 0}}, {{-std::sqrt(21.0), std::sqrt(21.0)}});
     check_inside(spindle, {{10, 3, 0}, {-1, 0, 0}}, {{3, 17}});
 }
 
-TEST_CASE("a line across the dimple of a spindle is inside twice", "[10.8]") {
+TEST_CASE("a line across the dimple of a spindle is inside twice", "[10.10]") {
     // At the height 4.8 the tube is 2.8 wide: from 1.6 to 4.4.
     check_inside(spindle, {{10, 4.8, 0}, {-1, 0, 0}}, {{5.6, 8.4}, {11.6, 14.4}});
 }
 
-TEST_CASE("a far torus is as exact as a near one", "[10.8]") {
+TEST_CASE("a far torus is as exact as a near one", "[10.10]") {
     const Real far = 1e8;
     const Torus away{{0, -0.6, -far}, {0, 1, 0}, 3, 1};
     check_inside(away, {{0, 0, 0}, {0, 0, -1}}, {{far - 3.8, far - 2.2}, {far + 2.2, far + 3.8}});
     check_inside({{0, -1.001, -far}, {0, 1, 0}, 3, 1}, {{0, 0, 0}, {0, 0, -1}}, {});
 }
 
-TEST_CASE("a thin ring is as round as a thick one: radius 1, tube 2^-20", "[10.8]") {
+TEST_CASE("a thin ring is as round as a thick one: radius 1, tube 2^-20", "[10.10]") {
     const Real r = 0x1p-20;
     const Torus thin{{0, 0, 0}, {0, 1, 0}, 1, r};
     check_inside(thin, {{2, 0.6 * r, 0}, {-1, 0, 0}},
@@ -235,7 +252,8 @@ TEST_CASE("a thin ring is as round as a thick one: radius 1, tube 2^-20", "[10.8
     check_inside(thin, {{2, 1.001 * r, 0}, {-1, 0, 0}}, {});
 }
 
-TEST_CASE("inside is where points of the ray are no farther from the ring than the tube's radius", "[10.8]") {
+TEST_CASE("inside is where points of the ray are no farther from the ring than the tube's radius",
+          "[10.10]") {
     Random random(10801);
     int inner = 0, outer = 0;
     for (int i = 0; i < cases(20000); ++i) {
@@ -262,7 +280,7 @@ TEST_CASE("inside is where points of the ray are no farther from the ring than t
 
 // ------------------------------------------------------------------------------- hits, surface, bounds
 
-TEST_CASE("the nearest hit is the first crossing in the range", "[10.8]") {
+TEST_CASE("the nearest hit is the first crossing in the range", "[10.10]") {
     const Ray across{{10, 0, 0}, {-1, 0, 0}};
     check_hit(ring, across, ahead, 6);
     check_hit(ring, across, {7, infinity}, 8);
@@ -275,7 +293,7 @@ TEST_CASE("the nearest hit is the first crossing in the range", "[10.8]") {
     check_miss(ring, {{10, 0, 0}, {1, 0, 0}}, ahead);
 }
 
-TEST_CASE("the surface of a torus: at the equators, on top, and in between", "[10.8]") {
+TEST_CASE("the surface of a torus: at the equators, on top, and in between", "[10.10]") {
     check_surface(ring, {{10, 0, 0}, {-1, 0, 0}}, {4, 0, 0}, {1, 0, 0});
     check_surface(ring, {{0, 0, 0}, {1, 0, 0}}, {2, 0, 0}, {-1, 0, 0});
     check_surface(ring, {{0, 10, 3}, {0, -1, 0}}, {0, 1, 3}, {0, 1, 0});
@@ -283,7 +301,7 @@ TEST_CASE("the surface of a torus: at the equators, on top, and in between", "[1
     check_surface(spindle, {{10, 4.8, 0}, {-1, 0, 0}}, {4.4, 4.8, 0}, {0.28, 0.96, 0});
 }
 
-TEST_CASE("so near to the axis that the square of the distance is 0, a torus has a normal", "[10.8]") {
+TEST_CASE("so near to the axis that the square of the distance is 0, a torus has a normal", "[10.10]") {
     const Ray ray{{1e-200, 10, 0}, {0, -1, 0}};
     const Surface surface = surface_at(spindle, ray, {.t = 6});
     INFO(describe(spindle, ray) << "\n" << surface);
@@ -291,7 +309,7 @@ TEST_CASE("so near to the axis that the square of the distance is 0, a torus has
     CHECK(test::near(surface.point, Vec3(0, 4, 0), 1e-12));
 }
 
-TEST_CASE("the box around a torus touches it on all sides", "[10.8]") {
+TEST_CASE("the box around a torus touches it on all sides", "[10.10]") {
     const Bounds flat = bounds_of(ring);
     INFO(flat);
     CHECK(test::near(flat.low, {-4, -1, -4}, gamma(8) * 4));

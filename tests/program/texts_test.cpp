@@ -346,46 +346,6 @@ TEST_CASE("lesson 3 says the times that its figures program has measured", "[tex
             });
 }
 
-TEST_CASE("lesson 10 says what its figures program has counted", "[texts]") {
-    const std::string chapter = "10_surfaces", text = lesson(chapter);
-    // A row is one of the file's lines, those of nearer distances left out.
-    const auto compare = [&](const std::string& head, const std::string& file,
-                             const std::vector<std::size_t>& order) {
-        const std::vector<std::string> rows = table_after(text, head), lines = lines_of(chapter, file);
-        REQUIRE(rows.size() > 3);
-        REQUIRE(rows.size() <= lines.size());
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const std::string& line = lines[lines.size() - rows.size() + i];
-            INFO(rows[i] << "\n" << file << ": " << line);
-            const std::vector<double> said = numbers_in(rows[i]), counted = numbers_in(line);
-            REQUIRE(said.size() == counted.size());
-            // The row's last ones; what is before them says which row it is.
-            const std::size_t first = said.size() - order.size();
-            if (first > 0) CHECK(said[0] == counted[0]);
-            for (std::size_t k = 0; k < order.size(); ++k)
-                CHECK(said[first + k] == counted[first + order[k]]);
-        }
-    };
-    compare("| distance in radii |", "far_pole.csv", {0, 1, 2, 3});
-    compare("| length in radii |", "long_rod.csv", {0, 1, 2, 3});
-    compare("| lines |", "closed_formulas.csv", {0, 2, 1, 3});
-    // In prose: the last error from near, and where those from the eye are as large as the tube.
-    const std::vector<std::string> far_ring = lines_of(chapter, "far_ring.csv");
-    const std::vector<double> last = numbers_in(far_ring.back());
-    const std::string prose = with_exponents(text);
-    CHECK(std::stod(found(prose, "is (\\S+) radii where\\s+the\\s+torus\\s+is\\s+\\S+\\s+radii")) ==
-          last.back());
-    CHECK(std::stod(found(prose, "is \\S+ radii where\\s+the\\s+torus\\s+is\\s+(\\S+)\\s+radii")) ==
-          last.front());
-    const double noise = std::stod(found(prose, "all is noise at (\\S+)\\s+radii"));
-    for (const std::string& line : far_ring) {
-        const std::vector<double> numbers = numbers_in(line);
-        INFO(line);
-        REQUIRE(numbers.size() > 4);
-        CHECK((numbers[2] > 0.1) == (numbers[0] >= noise));
-    }
-}
-
 TEST_CASE("lesson 11 says what its figures program has counted", "[texts]") {
     const std::string chapter = "11_textures", text = lesson(chapter);
     const std::vector<std::string> rows = table_after(text, "| filter | samples a pixel |"),
