@@ -54,13 +54,6 @@ Real highlight_part(const ModifiedPhong& phong) {
     // [/exercise]
 }
 
-Real highlight_part(const DiffuseGgx& ggx) {
-    // [exercise 12.17] The same, but at least ¼, and 1 if both are 0.
-    const Real highlight = mean_of(ggx.specular), both = highlight + mean_of(ggx.diffuse);
-    return both > 0 ? std::max(highlight / both, Real(0.25)) : 1;
-    // [/exercise]
-}
-
 Vec3 evaluate(const ModifiedPhong& phong, const Vec3& to_light, const Vec3& to_viewer) {
     // [exercise 12.17] diffuse/π and the highlight, whose factor is (s + 2)/(2π), or 0 below the surface.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return Vec3(0);
@@ -94,8 +87,15 @@ std::optional<LobeSample> sample(const ModifiedPhong& phong, const Vec3& to_view
     // [/exercise]
 }
 
+Real highlight_part(const DiffuseGgx& ggx) {
+    // [exercise 12.23] The same, but at least ¼, and 1 if both are 0.
+    const Real highlight = mean_of(ggx.specular), both = highlight + mean_of(ggx.diffuse);
+    return both > 0 ? std::max(highlight / both, Real(0.25)) : 1;
+    // [/exercise]
+}
+
 Vec3 evaluate(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 12.17] diffuse/π and F·D·G₁(l)·G₁(v)/(4·l.z·v.z), or 0 below the surface.
+    // [exercise 12.23] diffuse/π and F·D·G₁(l)·G₁(v)/(4·l.z·v.z), or 0 below the surface.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return Vec3(0);
     const Real alpha = alpha_of(ggx);
     const Vec3 h = normalize(to_light + to_viewer);
@@ -107,7 +107,7 @@ Vec3 evaluate(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer
 }
 
 Real pdf(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 12.17] The facets' density is D·h.z; mirrored onto directions it becomes 4·l·h times less.
+    // [exercise 12.23] The facets' density is D·h.z; mirrored onto directions it becomes 4·l·h times less.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return 0;
     const Vec3 both = to_light + to_viewer, h = normalize(both);
     const Real facets = ggx_density(alpha_of(ggx), h) * h.z, t = highlight_part(ggx);
@@ -117,16 +117,14 @@ Real pdf(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer) {
 }
 
 std::optional<LobeSample> sample(const DiffuseGgx& ggx, const Vec3& to_viewer, const Vec3& random) {
-    // [exercise 12.17] Choose by random.z: a facet around the normal that mirrors the viewer's ray, or the
-    // ground. Weigh by the density of both ways together.
-    if (!(to_viewer.z > 0)) return std::nullopt;
-    Vec3 to_light = cosine_direction(random.x, random.y);
-    if (random.z < highlight_part(ggx)) {
-        const Real slope = alpha_of(ggx) * std::sqrt(random.x / (1 - random.x)), phi = 2 * pi * random.y;
-        const Vec3 h = normalize(Vec3(slope * std::cos(phi), slope * std::sin(phi), 1));
-        to_light = normalize(2 * dot(to_viewer, h) * h - to_viewer);
-    }
+    // [exercise 12.23] A direction in the highlight, by a facet, or from the ground, and its weight.
+    const Real slope = alpha_of(ggx) * std::sqrt(random.x / (1 - random.x)), phi = 2 * pi * random.y;
+    const Vec3 h = normalize(Vec3(slope * std::cos(phi), slope * std::sin(phi), 1));
+    const bool by_facet = random.z < highlight_part(ggx);
+    const Vec3 to_light = by_facet ? normalize(2 * dot(to_viewer, h) * h - to_viewer)
+                                   : cosine_direction(random.x, random.y);
     const Real density = pdf(ggx, to_light, to_viewer);
+    // 0 if either direction is below the surface.
     if (!(density > 0)) return std::nullopt;
     return LobeSample{to_light, evaluate(ggx, to_light, to_viewer) * (to_light.z / density), density};
     // [/exercise]

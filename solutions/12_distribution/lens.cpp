@@ -1,4 +1,5 @@
-// A lens instead of a pinhole: points of its opening, rays through it, and how large the blur is.
+// A lens instead of a pinhole: points of its opening, rays through it, and how large the blur is; and a lens
+// that leans.
 // The lesson uses the same letters: a and b in the square, φ the angle, k the side of the polygon.
 #include "chapters/12_distribution/lens.hpp"
 
@@ -62,6 +63,17 @@ Real blur_radius(const Lens& lens, Real depth) {
     // |1 − distance/depth| would lose its digits where depth is nearly the distance. The difference is exact
     // there (Sterbenz 1974).
     return lens.radius * (std::abs(depth - lens.distance) / depth);
+    // [/exercise]
+}
+
+Ray tilted_lens_ray(const View& view, Real radius, const FocusPlane& plane, Real x, Real y,
+                    const Vec2& on_lens) {
+    // [exercise 12.24] The ray through this point of the lens whose pixel is sharp in the given plane.
+    const auto& [eye, straight, time] = pixel_ray(view, x, y);
+    const Vec3 aside = radius * (on_lens.x * view.frame.u + on_lens.y * view.frame.v);
+    // 1/t of where the ray from the middle meets the plane: 0 if it never does, negative if that is behind.
+    const Real inverse = dot(straight, plane.normal) / dot(plane.point - eye, plane.normal);
+    return Ray{eye + aside, normalize(straight - inverse * aside), time};
     // [/exercise]
 }
 
