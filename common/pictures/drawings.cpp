@@ -6,11 +6,14 @@
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/08_antialiasing/samples.hpp"
 #include "chapters/09_grids/walk.hpp"
+#include "chapters/12_distribution/samples.hpp"
+#include "chapters/12_distribution/sobol.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 
 namespace rt {
@@ -163,6 +166,65 @@ std::vector<DrawnPixel> cells_of_sphere(const Drawing& drawing) {
     });
 }
 
+// ------------------------------------------------------------------------------------------------ chapter 12
+
+constexpr int block = 4;
+
+/// A row for each key, in which the numbers 0 … 31 are moved to other places; the greater, the brighter.
+template <class Move>
+std::vector<DrawnPixel> moved(const Drawing& drawing, const Move& move) {
+    std::vector<DrawnPixel> pixels;
+    for (int y = 0; y < drawing.height; ++y)
+        for (int x = 0; x < drawing.width; ++x) {
+            const auto index = static_cast<std::uint32_t>(x / block);
+            const auto key = static_cast<std::uint64_t>(y / block);
+            const std::uint32_t place = move(index, key);
+            pixels.push_back({dark + place / Real(32) * (light - dark),
+                              fmt::format("{} of 32 with the key {}", index, key),
+                              fmt::format("goes to {}", place)});
+        }
+    return pixels;
+}
+
+std::vector<DrawnPixel> orders(const Drawing& drawing) {
+    return moved(drawing, [](std::uint32_t index, std::uint64_t key) { return permuted(index, 32, key); });
+}
+std::vector<DrawnPixel> coins(const Drawing& drawing) {
+    return moved(drawing, [](std::uint32_t index, std::uint64_t key) {
+        return owen_scrambled(index << 27, key) >> 27;
+    });
+}
+
+/// The unit square with 64 points, y downwards as in a picture, and lines around its 64 squares.
+template <class Point>
+std::vector<DrawnPixel> points(const Drawing& drawing, const Point& point) {
+    std::vector<DrawnPixel> pixels;
+    for (int y = 0; y < drawing.height; ++y)
+        for (int x = 0; x < drawing.width; ++x) {
+            const Vec2 at = Vec2(x + 0.5, y + 0.5) / Vec2(drawing.width, drawing.height);
+            const bool on_line = x % 16 == 0 || y % 16 == 0;
+            DrawnPixel pixel{on_line ? lines : dark, "the place " + in_words(at), "no point"};
+            for (std::uint32_t i = 0; i < 64; ++i) {
+                const Vec2 p = point(i);
+                if (length(p - at) > 0.014) continue;
+                pixel.color = light;
+                pixel.answer = fmt::format("point {} of 64, at {}", i, in_words(p));
+            }
+            pixels.push_back(pixel);
+        }
+    return pixels;
+}
+
+std::vector<DrawnPixel> stratified(const Drawing& drawing) {
+    return points(drawing, [](std::uint32_t i) { return stratified_point(i, 64, 5); });
+}
+std::vector<DrawnPixel> sequence(const Drawing& drawing) {
+    return points(drawing, [](std::uint32_t i) { return Vec2(sobol_bits(i, 0), sobol_bits(i, 1)) * 0x1p-32; });
+}
+std::vector<DrawnPixel> scrambled(const Drawing& drawing) {
+    return points(drawing, [](std::uint32_t i) { return sobol_point(i, 5); });
+}
+
 constexpr Drawing drawings[] = {
     {"silhouette", 64, 48, silhouette},
     {"inside", 64, 48, inside},
@@ -175,6 +237,11 @@ constexpr Drawing drawings[] = {
     {"way", 12 * cell_pixels + 1, 9 * cell_pixels + 1, way},
     {"cells_of_triangle", 12 * cell_pixels + 1, 9 * cell_pixels + 1, cells_of_triangle},
     {"cells_of_sphere", 12 * cell_pixels + 1, 9 * cell_pixels + 1, cells_of_sphere},
+    {"orders", 32 * block, 24 * block, orders},
+    {"stratified", 129, 129, stratified},
+    {"sequence", 129, 129, sequence},
+    {"coins", 32 * block, 24 * block, coins},
+    {"scrambled", 129, 129, scrambled},
 };
 
 }  // namespace
