@@ -17,31 +17,27 @@ Real area(const SphereLight& light) { return 4 * pi * light.radius * light.radiu
 Real area(const TriangleLight& light) { return length(cross(light.b - light.a, light.c - light.a)) / 2; }
 
 LightPoint point_on(const QuadLight& light, const Vec2& random) {
-    // 12.10  The unit square, stretched to the parallelogram. The bright side is that of −(ab ×
-    // ac).
+    // 12.10  A uniform point of the parallelogram. The bright side is that of −(ab × ac).
     return todo("12.10");
 }
 
 LightPoint point_on(const DiscLight& light, const Vec2& random) {
-    // 12.10  A point of the unit disc, made as large as the light, in its plane. The given
-    // axes_around makes a frame of a unit normal.
+    // 12.10  A uniform point of the disc. The given axes_around makes a frame of a unit normal.
     return todo("12.10");
 }
 
 LightPoint point_on(const SphereLight& light, const Vec2& random) {
-    // 12.10  Slices of equal thickness have equal areas on a sphere (Archimedes): how far up the
-    // point is, is uniform, and so is the angle around.
+    // 12.10  A uniform point of the sphere. The bright side is outside.
     return todo("12.10");
 }
 
 LightPoint point_on(const TriangleLight& light, const Vec2& random) {
-    // 12.10  The strip next to corner a that is cut off by a parallel to bc has an area that grows
-    // with the square of its height. Along the parallel the point is uniform.
+    // 12.10  A uniform point of the triangle. From the bright side a, b, c run counterclockwise.
     return todo("12.10");
 }
 
 Real per_steradian(const LightPoint& point, const Vec3& from) {
-    // 12.10  A small piece of the light with the area dA fills cos θ·dA/d² steradians.
+    // 12.10  The density by area, as a density per steradian seen from `from`.
     return todo("12.10");
 }
 

@@ -8,13 +8,13 @@
 namespace rt {
 
 std::vector<Real> cumulative(std::span<const Real> weights) {
-    // 12.15  Add up, then divide each sum by the last. If all weights are 0, take 1 for each.
+    // 12.15  The sums of the weights as parts of the whole; of equal weights, if all are 0.
     return todo("12.15");
 }
 
 Choice choose(std::span<const Real> cumulative, Real random) {
-    // 12.15  Find the first sum that is greater than the number, by bisection: there may be many.
-    // Where between the two sums the number lies is uniform again.
+    // 12.15  The chosen index, its probability, and what is left of the random number. There may be
+    // many sums.
     return todo("12.15");
 }
 

@@ -22,13 +22,12 @@ namespace {
 }  // namespace
 
 Vec3 around_axis(const Vec3& axis, Real exponent, const Vec2& random) {
-    // 12.16  cos of the angle is a^(1/(s + 1)) for a uniform a; the angle around the axis is
-    // uniform. Two vectors across the axis make the frame: any axis, also z itself.
+    // 12.16  A direction of Phong's lobe around the axis, which may be any.
     return todo("12.16");
 }
 
 Real around_axis_pdf(const Vec3& axis, Real exponent, const Vec3& direction) {
-    // 12.16  The density, on the axis' side.
+    // 12.16  The density of around_axis in this direction.
     return todo("12.16");
 }
 
@@ -40,44 +39,43 @@ namespace {
 }  // namespace
 
 Real highlight_part(const ModifiedPhong& phong) {
-    // 12.17  specular/(specular + diffuse), by mean_of; 0 if both are 0.
-    return todo("12.17");
-}
-
-Real highlight_part(const DiffuseGgx& ggx) {
-    // 12.17  The same, but at least ¼, and 1 if both are 0.
+    // 12.17  The probability with which `sample` draws in the highlight.
     return todo("12.17");
 }
 
 Vec3 evaluate(const ModifiedPhong& phong, const Vec3& to_light, const Vec3& to_viewer) {
-    // 12.17  diffuse/π and the highlight, whose factor is (s + 2)/(2π), or 0 below the surface.
+    // 12.17  The lobe: ground and highlight.
     return todo("12.17");
 }
 
 Real pdf(const ModifiedPhong& phong, const Vec3& to_light, const Vec3& to_viewer) {
-    // 12.17  Both ways of drawing a direction, each by its probability.
+    // 12.17  The density of the directions that `sample` draws, by both of its ways.
     return todo("12.17");
 }
 
 std::optional<LobeSample> sample(const ModifiedPhong& phong, const Vec3& to_viewer, const Vec3& random) {
-    // 12.17  Choose by random.z, draw, and weigh by the density of both ways together.
+    // 12.17  A direction from the highlight or from the ground, and its weight.
     return todo("12.17");
+}
+
+Real highlight_part(const DiffuseGgx& ggx) {
+    // 12.23  The probability with which `sample` draws a facet.
+    return todo("12.23");
 }
 
 Vec3 evaluate(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer) {
-    // 12.17  diffuse/π and F·D·G₁(l)·G₁(v)/(4·l.z·v.z), or 0 below the surface.
-    return todo("12.17");
+    // 12.23  The lobe: ground and facets.
+    return todo("12.23");
 }
 
 Real pdf(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer) {
-    // 12.17  The facets' density is D·h.z; mirrored onto directions it becomes 4·l·h times less.
-    return todo("12.17");
+    // 12.23  The density of the directions that `sample` draws, by both of its ways.
+    return todo("12.23");
 }
 
 std::optional<LobeSample> sample(const DiffuseGgx& ggx, const Vec3& to_viewer, const Vec3& random) {
-    // 12.17  Choose by random.z: a facet around the normal that mirrors the viewer's ray, or the
-    // ground. Weigh by the density of both ways together.
-    return todo("12.17");
+    // 12.23  A direction that a facet mirrors, or one from the ground, and its weight.
+    return todo("12.23");
 }
 
 }  // namespace rt

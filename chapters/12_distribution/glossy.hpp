@@ -50,10 +50,6 @@ inline Real mean_of(const Vec3& color) { return (color.x + color.y + color.z) / 
 /// specular + diffuse, by their means; 0 if both are 0.
 Real highlight_part(const ModifiedPhong& phong);
 
-/// [12.17] The same for microfacets, but at least ¼, because at grazing angles a facet reflects all, however
-/// dark its specular is; 1 if both are 0.
-Real highlight_part(const DiffuseGgx& ggx);
-
 /// [12.17] The lobe f in 1/sr, without the cosine:
 ///   f = diffuse/π + specular·(s + 2)/(2π)·max(0, r·l)ˢ, r the mirror's direction (−v.x, −v.y, v.z);
 /// 0 if either direction is not above the surface. Right to gamma(16)·(1 + s), as a part of itself, where r·l
@@ -72,19 +68,23 @@ Real pdf(const ModifiedPhong& phong, const Vec3& to_light, const Vec3& to_viewer
 /// diffuse/(1 − t) + specular/t·(s + 2)/(s + 1), where a term is left out whose colour is 0.
 std::optional<LobeSample> sample(const ModifiedPhong& phong, const Vec3& to_viewer, const Vec3& random);
 
-/// [12.17] The lobe f in 1/sr, without the cosine:
+/// [12.23] The same for microfacets, but at least ¼, because at grazing angles a facet reflects all, however
+/// dark its specular is; 1 if both are 0.
+Real highlight_part(const DiffuseGgx& ggx);
+
+/// [12.23] The lobe f in 1/sr, without the cosine:
 ///   f = diffuse/π + F·D(h)·G₁(l)·G₁(v)/(4·l.z·v.z),  F = specular + (1 − specular)·(1 − l·h)⁵,
 /// with chapter 11's D and G₁, of the α of alpha_of, and h between l and v; 0 if either direction is not
 /// above the surface. Finite for cosines of 1e-8 and more. Right to gamma(32) + 16u/(α·|l + v|), as a part of
 /// the lobe of a white specular.
 Vec3 evaluate(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer);
 
-/// [12.17] The density of sample's directions per sr, (1 − t)·l.z/π + t·D(h)·h.z/(4·l·h); 0 if either
+/// [12.23] The density of sample's directions per sr, (1 − t)·l.z/π + t·D(h)·h.z/(4·l·h); 0 if either
 /// direction is not above the surface. Right to gamma(32) + 16u/(α·|l + v|) + 16u/|l + v|², as a part of
 /// itself, and not negative, where that is less than 1.
 Real pdf(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer);
 
-/// [12.17] With the probability t light mirrored by a facet whose normal has the density D(h)·h.z, which is
+/// [12.23] With the probability t light mirrored by a facet whose normal has the density D(h)·h.z, which is
 /// at tan θ = α·√(a/(1 − a)) for a random number a; else a cosine_direction. The weight is f·l.z/pdf.
 /// random.z chooses. Nothing if the viewer is not above the surface, or the direction is not. Weights are
 /// finite for viewers with a cosine of 1e-6 and more.

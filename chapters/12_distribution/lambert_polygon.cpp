@@ -8,19 +8,17 @@
 namespace rt {
 
 Vec3 lambert_vector(std::span<const Vec3> corners, const Vec3& point) {
-    // 12.14  Half the sum of θ·Γ over the edges. The cross product with an edge is that with its
-    // far end; but the edge is short where the polygon is small, and then nothing cancels.
+    // 12.14  Half the sum of θ·Γ over the edges, the last of which goes back to the first corner.
     return todo("12.14");
 }
 
 std::vector<Vec3> above_horizon(std::span<const Vec3> corners, const Vec3& point, const Vec3& normal) {
-    // 12.14  Go round once. Keep each corner that is above, and where an edge goes from one side to
-    // the other, add the point where it crosses.
+    // 12.14  The polygon without what is below the horizon of `point`.
     return todo("12.14");
 }
 
 Real polygon_irradiance(std::span<const Vec3> corners, const Vec3& point, const Vec3& normal) {
-    // 12.14  Lambert's vector of what is above the horizon, along the normal.
+    // 12.14  The irradiance that is left when the horizon has cut the polygon.
     return todo("12.14");
 }
 

@@ -1,4 +1,5 @@
-// A lens instead of a pinhole: points of its opening, rays through it, and how large the blur is.
+// A lens instead of a pinhole: points of its opening, rays through it, and how large the blur is; and a lens
+// that leans.
 #pragma once
 
 #include "chapters/01_ray_casting/camera.hpp"
@@ -46,5 +47,23 @@ Ray lens_ray(const View& view, const Lens& lens, Real x, Real y, const Vec2& on_
 /// 0 in focus; a point infinitely far away has the blur lens.radius, and one nearer than half of
 /// lens.distance a greater one, without limit. The relative error is at most gamma(6), near the focus, too.
 Real blur_radius(const Lens& lens, Real depth);
+
+/// A plane that is to be in focus, whichever way it leans.
+struct FocusPlane {
+    Vec3 point{0, 0, -1};  ///< any point of it
+    Vec3 normal{0, 0, 1};  ///< across it, of any length but 0
+};
+
+/// [12.24] The ray of lens_ray through a lens of this radius, but with `plane` in focus, as in a camera whose
+/// lens leans against its film (Scheimpflug 1904). It starts at the same point of the lens, and is aimed at
+/// the point where pixel_ray's ray, from the middle of the lens, meets the plane. Where that is behind the
+/// lens, rays part as if they came from there; where it is infinitely far away, they are parallel. The middle
+/// of the lens is not in the plane.
+///
+/// The direction is a unit vector, and right to gamma(300)·(1 + a² + b²)·(1 + k) in each coordinate, with a
+/// and b as in lens_ray. k is radius/h·(1 + D/h), where h is how far the middle of the lens is from the plane
+/// and D how far it and plane.point are from the world's origin, together.
+Ray tilted_lens_ray(const View& view, Real radius, const FocusPlane& plane, Real x, Real y,
+                    const Vec2& on_lens);
 
 }  // namespace rt

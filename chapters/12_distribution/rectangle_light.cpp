@@ -43,7 +43,7 @@ std::array<SeenTriangle, 2> halves(const QuadLight& light, const Vec3& from) {
 }
 
 Real solid_angle(const QuadLight& light, const Vec3& from) {
-    // 12.13  Its halves' together.
+    // 12.13  The solid angle of the whole parallelogram.
     return todo("12.13");
 }
 
@@ -62,9 +62,8 @@ std::optional<LightDirection> toward_a_half(const QuadLight& light, const Vec3& 
 }
 
 std::optional<LightDirection> toward(const QuadLight& light, const Vec3& from, const Vec2& random) {
-    // 12.13  Where it is not easy, a half. Else go along ab first: of all rectangles that have the
-    // light's left side, take the one that fills the part random.x of its solid angle. Then go along ac on
-    // that one's right side, evenly by the sine of the angle that the viewer turns up.
+    // 12.13  A uniform direction to the rectangle: first the x, then the y of a point of it. Where
+    // the given is_easy says no, toward_a_half answers.
     return todo("12.13");
 }
 

@@ -20,9 +20,8 @@ namespace {
 }  // namespace
 
 std::uint32_t permuted(std::uint32_t index, std::uint32_t count, std::uint64_t key) {
-    // 12.1  Return the place of `index`. Make a permutation of all numbers below a power of two,
-    // the least that is not below count, of steps that can be undone and that depend on the key. If it leads
-    // out of the numbers below count, go on from there.
+    // 12.1  The place of `index` in the order that belongs to `key`: a permutation of 0 … count −
+    // 1.
     return todo("12.1");
 }
 
@@ -38,15 +37,14 @@ Stratum stratum(std::uint32_t index, std::uint32_t count) {
 }
 
 Real stratified_number(std::uint32_t index, std::uint32_t count, std::uint64_t key) {
-    // 12.2  Return a number that is uniform in the part that this sample has. Its place in the part
-    // must not come from the bits that have chosen the part. Stir the key before anything is added to it, or
-    // that of one key is the number of the next.
+    // 12.2  A number that is uniform in the part of [0, 1) that this sample has, and independent of
+    // which part that is.
     return todo("12.2");
 }
 
 Vec2 stratified_point(std::uint32_t index, std::uint32_t count, std::uint64_t key) {
-    // 12.2  Likewise a point of the stratum that this sample has, by two numbers that have nothing
-    // to do with each other.
+    // 12.2  Likewise a point of the stratum that this sample has; its two coordinates are
+    // independent of each other.
     return todo("12.2");
 }
 

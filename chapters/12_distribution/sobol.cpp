@@ -62,26 +62,23 @@ constexpr std::array<Directions, sobol_dimensions> directions = make_directions(
 std::array<std::uint32_t, 32> sobol_directions(std::uint32_t dimension) { return directions[dimension]; }
 
 std::uint32_t sobol_bits(std::uint32_t index, std::uint32_t dimension) {
-    // 12.3  Return the exclusive or of the direction numbers of the bits that are 1 in `index`.
+    // 12.3  Combine the direction numbers of the bits that are 1 in `index`.
     return todo("12.3");
 }
 
 std::uint32_t owen_scrambled(std::uint32_t bits, std::uint64_t key) {
-    // 12.4  Flip each bit, or not, by a coin that depends on the key and on the bits above it.
-    // Number the coins as the nodes of a binary tree: that of the highest bit is 1, and below the coin n are
-    // 2n for a 0 and 2n + 1 for a 1.
+    // 12.4  Flip each bit, or leave it, by the coin that the key has for the bits above it.
     return todo("12.4");
 }
 
 Vec2 sobol_point(std::uint32_t index, std::uint64_t key) {
-    // 12.5  Scramble the index, and the coordinates of that point, by three keys made from `key`.
+    // 12.5  The point of the shuffled sequence, with each coordinate scrambled by coins of its own.
     return todo("12.5");
 }
 
 std::uint32_t pixel_start(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint64_t key) {
-    // 12.5  From the whole picture of 4096 by 4096 pixels down: in which quarter of the square is
-    // the pixel, and which place has this quarter in the order of the four? Each place is two bits of the
-    // answer, which counts pixels; `count` indices belong to each.
+    // 12.5  The first index of the pixel, in a Z-order whose quarters are in an order of their own
+    // in each square.
     return todo("12.5");
 }
 

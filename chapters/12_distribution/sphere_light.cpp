@@ -11,15 +11,13 @@
 namespace rt {
 
 Real solid_angle(const SphereLight& light, const Vec3& from) {
-    // 12.11  The area that the cone cuts out of the unit sphere. The sine of the cone's angle is
-    // r/d; do not subtract the cosine from 1, because it is 1 for a small sphere far away.
+    // 12.11  The solid angle of the cone in which the sphere is seen, with all its digits for a
+    // star, too.
     return todo("12.11");
 }
 
 std::optional<LightDirection> toward(const SphereLight& light, const Vec3& from, const Vec2& random) {
-    // 12.11  Equal areas of the unit sphere are equal steps of the cosine: of the way from 1 to the
-    // cone's cosine go the part random.x. Then turn about the axis. The ray meets the sphere twice, and the
-    // product of the two distances is (d − r)·(d + r): divide it by the greater one to have the lesser.
+    // 12.11  A uniform direction in that cone, and the distance to where its ray enters the sphere.
     return todo("12.11");
 }
 

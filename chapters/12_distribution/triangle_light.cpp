@@ -37,17 +37,15 @@ namespace {
 }  // namespace
 
 Real solid_angle(const SeenTriangle& triangle) {
-    // 12.12  Of Van Oosterom and Strackee's fraction six_volumes gives the numerator. The
-    // denominator may be negative: the angle is then more than a quarter of a turn.
+    // 12.12  Van Oosterom and Strackee's formula, from −2π to 2π.
     return todo("12.12");
 }
 
 Real solid_angle(const TriangleLight& light, const Vec3& from) { return solid_angle(seen(light, from)); }
 
 std::optional<LightDirection> toward(const SeenTriangle& triangle, const Vec2& random) {
-    // 12.12  Find c′ on the side ac, so that the triangle a, b, c′ has the part random.x of the
-    // solid angle: the lesson's n/m is the tangent of half of ψ, the angle by which the viewer turns from a
-    // to c′. Then go the part random.y of the way from B to C′, measured by the cosine of the angle to B.
+    // 12.12  A uniform direction to the triangle: first to the point c′ of the side ac, then along
+    // the side bc′.
     return todo("12.12");
 }
 

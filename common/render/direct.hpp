@@ -11,7 +11,7 @@ namespace rt {
 Vec3 analytic_direct(const World& world, const Ray& ray, Stream& stream);
 
 /// Emission, and what comes from random points of the area lights (12.18): by diffuse/π and a Phong lobe, or
-/// by GGX (12.17).
+/// by GGX (12.23).
 Vec3 direct(const World& world, const Ray& ray, Stream& stream);
 
 }  // namespace rt

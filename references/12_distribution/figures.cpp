@@ -66,7 +66,7 @@ std::string coins() {
             x ^= x * factor;
         return reversed(x);
     };
-    std::string text = "way,keys,ways_of_three_coins\n";
+    std::string text = "way,keys,ways of three coins\n";
     const auto add = [&](const char* name, auto scrambled) {
         std::set<std::uint32_t> ways;
         for (std::uint64_t key = 1; key <= 100'000; ++key) {
@@ -155,14 +155,16 @@ Svg light_points() {
             rim.push_back(in_sky(glm::normalize(at - from)));
         }
         polygon(svg, rim, {.stroke = grey, .fill = light});
-        line(svg, on_lamp(Vec3(-0.06, 0, 0)), on_lamp(Vec3(0.06, 0, 0)), {.stroke = red});
-        line(svg, on_lamp(Vec3(0, -0.06, 0)), on_lamp(Vec3(0, 0.06, 0)), {.stroke = red});
         for (std::uint32_t i = 0; i < 256; ++i) {
             const std::optional<LightDirection> found = direction_for(stratified_point(i, 256, 3));
             if (!found) continue;
             dot_at(svg, on_lamp(from + found->distance * found->direction), blue, 2);
             dot_at(svg, in_sky(found->direction), blue, 2);
         }
+        line(svg, on_lamp(Vec3(-0.1, 0, 0)), on_lamp(Vec3(0.1, 0, 0)), {.stroke = red, .width = 3});
+        line(svg, on_lamp(Vec3(0, -0.1, 0)), on_lamp(Vec3(0, 0.1, 0)), {.stroke = red, .width = 3});
+        text(svg, {left + 20, 217}, "on the lamp");
+        text(svg, {left + 20, 492}, "in the hemisphere");
     };
     panel(10, "by area", [&](const Vec2& random) { return seen_from(point_on(lamp, random), from); });
     panel(370, "by angle", [&](const Vec2& random) { return toward(lamp, from, random); });
@@ -190,7 +192,7 @@ std::string small_lamps() {
         }
         return sum;
     };
-    std::string text = "distance_in_sides,acos,atan2_of_unit_vectors,atan2_of_the_edge\n";
+    std::string text = "distance in sides,acos,atan2 of unit vectors,atan2 of the edge\n";
     for (const Real distance : {1e3, 1e5, 1e7}) {
         std::array<std::vector<Real>, 3> errors;
         for (std::uint64_t i = 0; i < 10'000; ++i) {
@@ -222,7 +224,7 @@ std::string small_lamps() {
 /// are seen.
 std::string facets() {
     const int samples = 100'000;
-    std::string text = "viewer_degrees,way,samples,lost_percent,greatest_weight\n";
+    std::string text = "viewer and way,samples,lost percent,greatest weight\n";
     for (const Real degrees : {0.0, 60.0, 85.0}) {
         const Vec3 v(std::sin(radians(degrees)), 0, std::cos(radians(degrees)));
         const auto add = [&](const char* name, const auto& lobe) {
@@ -237,12 +239,28 @@ std::string facets() {
                 else
                     ++lost;
             }
-            text += fmt::format("{},{},{},{:.0f},{:.2g}\n", degrees, name, samples, 100.0 * lost / samples,
-                                greatest);
+            text += fmt::format("{} degrees {},{},{:.0f},{:.2g}\n", degrees, name, samples,
+                                100.0 * lost / samples, greatest);
         };
         add("all facets", DiffuseGgx{Vec3(0), Vec3(1), 0.5});
         add("visible facets", RoughMetal{Vec3(1), std::sqrt(0.5)});
     }
+    return text;
+}
+
+/// Numbers in the texts: how well the slopes are known; degrees within which half of a lobe is; and what a
+/// sample counts that the ground draws in the highlight, if it is divided by the ground's density alone.
+std::string numbers(const slopes::Errors& errors) {
+    Real widest = 0;
+    for (const auto& of_method : errors)
+        for (const auto& squares : of_method) widest = std::max(widest, slopes::plus_minus(squares));
+    std::string text = fmt::format("name,value\nslopes are known to,{:.2f}\n", widest);
+    for (const Real exponent : {0.0, 10.0, 100.0})
+        text += fmt::format("half of the lobe {},{:.1f}\n", exponent,
+                            180 / pi * std::acos(std::pow(0.5, 1 / (exponent + 1))));
+    const Vec3 v(-0.6, 0, 0.8), l(0.6, 0, 0.8);
+    const ModifiedPhong shiny{Vec3(0.3), Vec3(0.6), 1000};
+    text += fmt::format("ground in the highlight,{:.0f}\n", pi * evaluate(shiny, l, v).x);
     return text;
 }
 
@@ -302,7 +320,7 @@ Image converged(Scene scene) {
 /// What each blur costs alone, and all of them together; then all of them with more shadow rays a hit and
 /// fewer camera rays.
 void write_costs(const Path& out) {
-    std::string text = "blurs,samples,camera,mirrored,shadow,rays_a_pixel,rms_error\n";
+    std::string text = "what blurs,samples,camera,mirrored,shadow,rays a pixel,RMS error\n";
     const auto add = [&](const char* name, const Scene& scene, const Image& truth) {
         const Cost cost = cost_of(scene, truth, 16, 1);
         text += fmt::format("{},16,{:.1f},{:.1f},{:.1f},{:.1f},{:.4f}\n", name, cost.camera, cost.mirrored,
@@ -312,20 +330,20 @@ void write_costs(const Path& out) {
         const Scene scene = billiards(blurs);
         add(name, scene, converged(scene));
     };
-    add_alone("none", {});
-    add_alone("lens", {.lens = true});
+    add_alone("nothing", {});
+    add_alone("the lens", {.lens = true});
     add_alone("motion", {.motion = true});
-    add_alone("lamps", {.lamps = true});
+    add_alone("the lamps", {.lamps = true});
     add_alone("gloss", {.gloss = true});
     const Scene scene = billiards({true, true, true, true});
     const Image truth = converged(scene);
-    add("all", scene, truth);
+    add("all four", scene, truth);
     write_file(out / "costs.csv", text);
 
-    text = "samples,shadow_rays_to_each_lamp,rays_a_pixel,rms_error\n";
+    text = "samples a pixel and shadow rays to each lamp,rays a pixel,RMS error\n";
     for (const auto& [samples, lamp_samples] : {std::pair{16, 1}, {4, 4}, {16, 16}}) {
         const Cost cost = cost_of(scene, truth, samples, lamp_samples);
-        text += fmt::format("{},{},{:.1f},{:.4f}\n", samples, lamp_samples,
+        text += fmt::format("{} and {},{:.1f},{:.4f}\n", samples, lamp_samples,
                             cost.camera + cost.mirrored + cost.shadow, cost.error);
     }
     write_file(out / "nesting.csv", text);
@@ -346,6 +364,7 @@ void draw_with_gamma(const Path& out, std::initializer_list<const char*> names) 
 void draw_all(const Path& out) {
     const slopes::Errors errors = slopes::measured();
     write_file(out / "slopes.csv", slopes::table(errors));
+    write_file(out / "error_slopes.csv", slopes::lesson_table(errors));
     write_svg(out / "slopes.svg", slopes::curves(errors));
     write_file(out / "blocks.csv", slopes::blocks());
     write_file(out / "coins.csv", coins());
@@ -354,11 +373,12 @@ void draw_all(const Path& out) {
     write_svg(out / "light_points.svg", light_points());
     write_file(out / "small_lamps.csv", small_lamps());
     write_file(out / "facets.csv", facets());
+    write_file(out / "numbers.csv", numbers(errors));
     write_costs(out);
-    draw_scenes(
-        out, __FILE__,
-        {"billiards", "soft_shadow", "lamps", "lanterns", "focus", "moving", "turning", "gloss", "frosted"});
-    draw_with_gamma(out, {"analytic", "direct"});
+    draw_scenes(out, __FILE__,
+                {"billiards", "soft_shadow", "lamps", "lanterns", "depth", "focus", "moving", "turning",
+                 "gloss", "frosted"});
+    draw_with_gamma(out, {"analytic", "highlights", "direct"});
 }
 
 }  // namespace

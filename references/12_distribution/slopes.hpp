@@ -278,6 +278,24 @@ inline std::string table(const Errors& errors) {
     return text;
 }
 
+/// The same as the lesson shows it: a line for each integrand, the slopes of all methods, then their errors.
+inline std::string lesson_table(const Errors& errors) {
+    std::string text = "function (dimensions)";
+    for (const char* column : {"", "rms 16 ", "rms 1024 "})
+        for (const char* method : method_names) text += fmt::format(",{}{}", column, method);
+    text += '\n';
+    for (std::size_t f = 0; f < integrands.size(); ++f) {
+        text += fmt::format("{} ({})", integrands[f].name, integrands[f].d);
+        for (std::size_t m = 0; m < methods; ++m)
+            text += fmt::format(",{:.2f}", slope_without(errors[m][f], batches));
+        for (const std::size_t level : {1u, 4u})
+            for (std::size_t m = 0; m < methods; ++m)
+                text += fmt::format(",{:.2g}", rms(errors[m][f], level));
+        text += '\n';
+    }
+    return text;
+}
+
 /// RMS error against the number of samples: smooth functions of two, of four in pairs, and of four together.
 inline Svg curves(const Errors& errors) {
     Svg svg{960, 360};
@@ -304,8 +322,8 @@ inline Svg curves(const Errors& errors) {
     text(svg, {14, 160}, "RMS error", upwards);
     Real x = 150;
     for (const std::size_t m : {0u, 1u, 2u, 4u}) {
-        text(svg, {x, 350}, method_names[m], colored(small, colors[m]));
-        x += 180;
+        text(svg, {x, 350}, method_names[m], {.size = 17, .color = colors[m]});
+        x += 190;
     }
     return svg;
 }
@@ -342,7 +360,7 @@ inline std::string blocks() {
             }
         }
     }
-    std::string text = "side,own_keys,one_sequence\n";
+    std::string text = "pixels on a side,a key for each pixel,one sequence\n";
     for (std::size_t k = 0; k < 5; ++k)
         text += fmt::format("{},{:.2g},{:.2g}\n", 1 << k, std::sqrt(squares[0][k]), std::sqrt(squares[1][k]));
     return text;

@@ -16,16 +16,14 @@ Real area(const SphereLight& light) { return 4 * pi * light.radius * light.radiu
 Real area(const TriangleLight& light) { return length(cross(light.b - light.a, light.c - light.a)) / 2; }
 
 LightPoint point_on(const QuadLight& light, const Vec2& random) {
-    // [exercise 12.10] The unit square, stretched to the parallelogram. The bright side is that of −(ab ×
-    // ac).
+    // [exercise 12.10] A uniform point of the parallelogram. The bright side is that of −(ab × ac).
     const Vec3 point = light.corner + random.x * light.ab + random.y * light.ac;
     return {point, unit(cross(light.ac, light.ab)), 1 / area(light)};
     // [/exercise]
 }
 
 LightPoint point_on(const DiscLight& light, const Vec2& random) {
-    // [exercise 12.10] A point of the unit disc, made as large as the light, in its plane. The given
-    // axes_around makes a frame of a unit normal.
+    // [exercise 12.10] A uniform point of the disc. The given axes_around makes a frame of a unit normal.
     const Vec3 normal = unit(light.normal);
     const Mat3 axes = axes_around(normal);
     const Vec2 p = light.radius * disc_point(random);
@@ -34,9 +32,9 @@ LightPoint point_on(const DiscLight& light, const Vec2& random) {
 }
 
 LightPoint point_on(const SphereLight& light, const Vec2& random) {
-    // [exercise 12.10] Slices of equal thickness have equal areas on a sphere (Archimedes): how far up the
-    // point is, is uniform, and so is the angle around.
+    // [exercise 12.10] A uniform point of the sphere. The bright side is outside.
     const Real z = 1 - 2 * random.x, phi = 2 * pi * random.y;
+    // Slices of equal thickness have equal areas (Archimedes).
     const Real flat = 2 * std::sqrt(random.x * (1 - random.x));  // √(1 − z²)
     const Vec3 normal = unit(Vec3(flat * std::cos(phi), flat * std::sin(phi), z));
     return {light.center + light.radius * normal, normal, 1 / area(light)};
@@ -44,17 +42,17 @@ LightPoint point_on(const SphereLight& light, const Vec2& random) {
 }
 
 LightPoint point_on(const TriangleLight& light, const Vec2& random) {
-    // [exercise 12.10] The strip next to corner a that is cut off by a parallel to bc has an area that grows
-    // with the square of its height. Along the parallel the point is uniform.
+    // [exercise 12.10] A uniform point of the triangle. From the bright side a, b, c run counterclockwise.
     const Vec3 ab = light.b - light.a, ac = light.c - light.a;
     const Real height = std::sqrt(random.x);
+    // The area next to a grows with the square of the height; along the parallel to bc the point is uniform.
     const Vec3 point = light.a + height * ((1 - random.y) * ab + random.y * ac);
     return {point, unit(cross(ab, ac)), 1 / area(light)};
     // [/exercise]
 }
 
 Real per_steradian(const LightPoint& point, const Vec3& from) {
-    // [exercise 12.10] A small piece of the light with the area dA fills cos θ·dA/d² steradians.
+    // [exercise 12.10] The density by area, as a density per steradian seen from `from`.
     const Vec3 back = from - point.point;
     const Real d = length(back), along = dot(point.normal, back);
     if (!(along > 0)) return 0;

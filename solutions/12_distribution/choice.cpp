@@ -6,7 +6,7 @@
 namespace rt {
 
 std::vector<Real> cumulative(std::span<const Real> weights) {
-    // [exercise 12.15] Add up, then divide each sum by the last. If all weights are 0, take 1 for each.
+    // [exercise 12.15] The sums of the weights as parts of the whole; of equal weights, if all are 0.
     const bool is_dark = std::none_of(weights.begin(), weights.end(), [](Real w) { return w > 0; });
     std::vector<Real> sums;
     sums.reserve(weights.size());
@@ -22,8 +22,8 @@ std::vector<Real> cumulative(std::span<const Real> weights) {
 }
 
 Choice choose(std::span<const Real> cumulative, Real random) {
-    // [exercise 12.15] Find the first sum that is greater than the number, by bisection: there may be many.
-    // Where between the two sums the number lies is uniform again.
+    // [exercise 12.15] The chosen index, its probability, and what is left of the random number. There may be
+    // many sums.
     const auto found = std::upper_bound(cumulative.begin(), cumulative.end(), random);
     const Real low = found == cumulative.begin() ? 0 : *(found - 1);
     const Real probability = *found - low;

@@ -9,8 +9,8 @@
 namespace rt {
 std::optional<Branch> spread(const Branch& branch, const Surface& surface, Real exponent,
                              const Vec2& random) {
-    // [exercise 12.19] Turn the branch's ray to around_axis of its own direction. The two must lie on one
-    // side of surface.normal.
+    // [exercise 12.19] The branch in a random direction around its own; nothing if that is on the other side
+    // of the flat surface.
     Branch blurred = branch;
     blurred.ray.direction = around_axis(branch.ray.direction, exponent, random);
     const Real before = dot(branch.ray.direction, surface.normal);
@@ -26,10 +26,9 @@ namespace {
 /// pushed on the stack.
 Vec3 light_from(const World& world, const Branch& branch, const Hit& hit, Stream& stream,
                 std::vector<Branch>& stack) {
-    // [exercise 12.20] What a branch does at its hit. Where there is a light_at, it is all that there is.
-    // Else it is the local_light of chapter 7 (07.6), asked with the ray's time and the stream; then push
-    // what `scatter` returns, the last branch first. Of the branches, one whose gloss_of is greater than 0
-    // takes a next_point(stream) and is spread, or dropped. Count each pushed ray in ray_counts().
+    // [exercise 12.20] What the branch brings back from its hit, times its weight: the light of a lamp, or
+    // the local light at the time of the ray. Push the branches that go on, spread where they are glossy, and
+    // count them in ray_counts().
     if (const std::optional<Vec3> light = light_at(world, branch.ray, hit)) return branch.weight * *light;
     const Surface surface = surface_at(world, branch.ray, hit);
     const Material material = material_at(world, hit, surface);

@@ -20,10 +20,10 @@ namespace {
 }  // namespace
 
 Vec3 around_axis(const Vec3& axis, Real exponent, const Vec2& random) {
-    // [exercise 12.16] cos of the angle is a^(1/(s + 1)) for a uniform a; the angle around the axis is
-    // uniform. Two vectors across the axis make the frame: any axis, also z itself.
+    // [exercise 12.16] A direction of Phong's lobe around the axis, which may be any.
     const Vec3 other = std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 across = normalize(cross(other, axis)), along = cross(axis, across);
+    // cos^(s + 1) is uniform.
     // 1 − random.x is never 0. By the logarithm sin² = 1 − cos² keeps its digits, however narrow the lobe.
     const Real logarithm = std::log1p(-random.x) / (exponent + 1), phi = 2 * pi * random.y;
     const Real cosine = std::exp(logarithm), sine = std::sqrt(-std::expm1(2 * logarithm));
@@ -32,7 +32,7 @@ Vec3 around_axis(const Vec3& axis, Real exponent, const Vec2& random) {
 }
 
 Real around_axis_pdf(const Vec3& axis, Real exponent, const Vec3& direction) {
-    // [exercise 12.16] The density, on the axis' side.
+    // [exercise 12.16] The density of around_axis in this direction.
     const Real cosine = dot(axis, direction);
     // Asked before: the power of 0 with the exponent 0 is 1.
     if (!(cosine > 0)) return 0;
@@ -48,21 +48,14 @@ namespace {
 }  // namespace
 
 Real highlight_part(const ModifiedPhong& phong) {
-    // [exercise 12.17] specular/(specular + diffuse), by mean_of; 0 if both are 0.
+    // [exercise 12.17] The probability with which `sample` draws in the highlight.
     const Real specular = mean_of(phong.specular), all = specular + mean_of(phong.diffuse);
     return all > 0 ? specular / all : 0;
     // [/exercise]
 }
 
-Real highlight_part(const DiffuseGgx& ggx) {
-    // [exercise 12.17] The same, but at least ¼, and 1 if both are 0.
-    const Real highlight = mean_of(ggx.specular), both = highlight + mean_of(ggx.diffuse);
-    return both > 0 ? std::max(highlight / both, Real(0.25)) : 1;
-    // [/exercise]
-}
-
 Vec3 evaluate(const ModifiedPhong& phong, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 12.17] diffuse/π and the highlight, whose factor is (s + 2)/(2π), or 0 below the surface.
+    // [exercise 12.17] The lobe: ground and highlight.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return Vec3(0);
     const Real power = phong.exponent;
     // The density of around_axis has the right power; it begins with s + 1.
@@ -73,7 +66,7 @@ Vec3 evaluate(const ModifiedPhong& phong, const Vec3& to_light, const Vec3& to_v
 }
 
 Real pdf(const ModifiedPhong& phong, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 12.17] Both ways of drawing a direction, each by its probability.
+    // [exercise 12.17] The density of the directions that `sample` draws, by both of its ways.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return 0;
     const Real t = highlight_part(phong);
     return (1 - t) * to_light.z / pi + t * around_axis_pdf(mirrored(to_viewer), phong.exponent, to_light);
@@ -81,7 +74,7 @@ Real pdf(const ModifiedPhong& phong, const Vec3& to_light, const Vec3& to_viewer
 }
 
 std::optional<LobeSample> sample(const ModifiedPhong& phong, const Vec3& to_viewer, const Vec3& random) {
-    // [exercise 12.17] Choose by random.z, draw, and weigh by the density of both ways together.
+    // [exercise 12.17] A direction from the highlight or from the ground, and its weight.
     if (!(to_viewer.z > 0)) return std::nullopt;
     const bool in_highlight = random.z < highlight_part(phong);
     const Vec3 to_light = in_highlight
@@ -94,8 +87,15 @@ std::optional<LobeSample> sample(const ModifiedPhong& phong, const Vec3& to_view
     // [/exercise]
 }
 
+Real highlight_part(const DiffuseGgx& ggx) {
+    // [exercise 12.23] The probability with which `sample` draws a facet.
+    const Real highlight = mean_of(ggx.specular), both = highlight + mean_of(ggx.diffuse);
+    return both > 0 ? std::max(highlight / both, Real(0.25)) : 1;
+    // [/exercise]
+}
+
 Vec3 evaluate(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 12.17] diffuse/π and F·D·G₁(l)·G₁(v)/(4·l.z·v.z), or 0 below the surface.
+    // [exercise 12.23] The lobe: ground and facets.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return Vec3(0);
     const Real alpha = alpha_of(ggx);
     const Vec3 h = normalize(to_light + to_viewer);
@@ -107,7 +107,7 @@ Vec3 evaluate(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer
 }
 
 Real pdf(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 12.17] The facets' density is D·h.z; mirrored onto directions it becomes 4·l·h times less.
+    // [exercise 12.23] The density of the directions that `sample` draws, by both of its ways.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return 0;
     const Vec3 both = to_light + to_viewer, h = normalize(both);
     const Real facets = ggx_density(alpha_of(ggx), h) * h.z, t = highlight_part(ggx);
@@ -117,16 +117,14 @@ Real pdf(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer) {
 }
 
 std::optional<LobeSample> sample(const DiffuseGgx& ggx, const Vec3& to_viewer, const Vec3& random) {
-    // [exercise 12.17] Choose by random.z: a facet around the normal that mirrors the viewer's ray, or the
-    // ground. Weigh by the density of both ways together.
-    if (!(to_viewer.z > 0)) return std::nullopt;
-    Vec3 to_light = cosine_direction(random.x, random.y);
-    if (random.z < highlight_part(ggx)) {
-        const Real slope = alpha_of(ggx) * std::sqrt(random.x / (1 - random.x)), phi = 2 * pi * random.y;
-        const Vec3 h = normalize(Vec3(slope * std::cos(phi), slope * std::sin(phi), 1));
-        to_light = normalize(2 * dot(to_viewer, h) * h - to_viewer);
-    }
+    // [exercise 12.23] A direction that a facet mirrors, or one from the ground, and its weight.
+    const Real slope = alpha_of(ggx) * std::sqrt(random.x / (1 - random.x)), phi = 2 * pi * random.y;
+    const Vec3 h = normalize(Vec3(slope * std::cos(phi), slope * std::sin(phi), 1));
+    const bool by_facet = random.z < highlight_part(ggx);
+    const Vec3 to_light =
+        by_facet ? normalize(2 * dot(to_viewer, h) * h - to_viewer) : cosine_direction(random.x, random.y);
     const Real density = pdf(ggx, to_light, to_viewer);
+    // 0 if either direction is below the surface.
     if (!(density > 0)) return std::nullopt;
     return LobeSample{to_light, evaluate(ggx, to_light, to_viewer) * (to_light.z / density), density};
     // [/exercise]

@@ -6,9 +6,9 @@
 namespace rt {
 
 Vec3 lambert_vector(std::span<const Vec3> corners, const Vec3& point) {
-    // [exercise 12.14] Half the sum of θ·Γ over the edges. The cross product with an edge is that with its
-    // far end; but the edge is short where the polygon is small, and then nothing cancels.
+    // [exercise 12.14] Half the sum of θ·Γ over the edges, the last of which goes back to the first corner.
     Vec3 sum(0);
+    // d × edge is d × its far end. But where the polygon is small the edge is short, and nothing cancels.
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const Vec3& from = corners[k];
         const Vec3& to = corners[(k + 1) % corners.size()];
@@ -25,8 +25,7 @@ Vec3 lambert_vector(std::span<const Vec3> corners, const Vec3& point) {
 }
 
 std::vector<Vec3> above_horizon(std::span<const Vec3> corners, const Vec3& point, const Vec3& normal) {
-    // [exercise 12.14] Go round once. Keep each corner that is above, and where an edge goes from one side to
-    // the other, add the point where it crosses.
+    // [exercise 12.14] The polygon without what is below the horizon of `point`.
     std::vector<Vec3> kept;
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const Vec3& from = corners[k];
@@ -42,7 +41,7 @@ std::vector<Vec3> above_horizon(std::span<const Vec3> corners, const Vec3& point
 }
 
 Real polygon_irradiance(std::span<const Vec3> corners, const Vec3& point, const Vec3& normal) {
-    // [exercise 12.14] Lambert's vector of what is above the horizon, along the normal.
+    // [exercise 12.14] The irradiance that is left when the horizon has cut the polygon.
     const std::vector<Vec3> seen = above_horizon(corners, point, normal);
     // The order of the corners only decides the sign.
     return std::abs(dot(lambert_vector(seen, point), normal));

@@ -1,4 +1,5 @@
-// A lens instead of a pinhole: points of its opening, rays through it, and how large the blur is.
+// A lens instead of a pinhole: points of its opening, rays through it, and how large the blur is; and a lens
+// that leans.
 // The lesson uses the same letters: a and b in the square, φ the angle, k the side of the polygon.
 #include "chapters/12_distribution/lens.hpp"
 
@@ -7,10 +8,10 @@
 namespace rt {
 
 Vec2 disc_point(const Vec2& random) {
-    // [exercise 12.6] Move the square's middle to 0 and make its half side 1: that gives (a, b). The greater
-    // of |a| and |b| says on which circle the point comes to lie, and how far it is along its side of the
-    // square, between −1 and 1, says how far it is along that quarter of the circle. Mind the middle.
+    // [exercise 12.6] The concentric map from the square to the disc.
     const Real a = 2 * random.x - 1, b = 2 * random.y - 1;
+    // The greater of |a| and |b| is the radius; the other one, as a part of it, goes along a quarter of the
+    // circle.
     if (a == 0 && b == 0) return Vec2(0);
     // The left side needs no case of its own: with a < 0 the point (cos φ, sin φ) is turned to the other end.
     if (std::abs(a) > std::abs(b)) {
@@ -24,10 +25,9 @@ Vec2 disc_point(const Vec2& random) {
 }
 
 Vec2 polygon_point(int sides, Real turn, const Vec2& random) {
-    // [exercise 12.6] Take the disc's point. Its angle, as a part of a whole turn, says how far to go along
-    // the polygon's edge: past how many corners, and what part of the side after the last of them. Return
-    // that point of the edge, times the radius of the disc's point.
+    // [exercise 12.6] The point of the disc, moved so that its circle becomes the regular polygon.
     const Vec2 in_disc = disc_point(random);
+    // As a part of a turn, the angle says how far to go along the polygon's edge.
     const Real along = sides * (std::atan2(in_disc.y, in_disc.x) / (2 * pi));
     // From −sides/2 to sides/2: the corners before the first one are those of the last round.
     const Real k = std::floor(along);
@@ -41,10 +41,8 @@ Vec2 polygon_point(int sides, Real turn, const Vec2& random) {
 }
 
 Ray lens_ray(const View& view, const Lens& lens, Real x, Real y, const Vec2& on_lens) {
-    // [exercise 12.7] pixel_ray's ray goes through the middle of the lens. Find where it meets the plane in
-    // focus, as seen from the middle of the lens; then from where on the lens the new ray starts, and in
-    // which direction the point in focus is from there. If you measure in units of lens.distance, planes that
-    // are very far away, or infinitely far, need no care.
+    // [exercise 12.7] The ray through this point of the lens, aimed at the point where the pinhole's ray
+    // meets the plane in focus.
     const Ray pinhole = pixel_ray(view, x, y);
     const Vec3 beside = on_lens.x * view.frame.u + on_lens.y * view.frame.v;
     // A step along the ray takes it cos = −d·w along the view; the plane is one distance away along the view.
@@ -55,13 +53,23 @@ Ray lens_ray(const View& view, const Lens& lens, Real x, Real y, const Vec2& on_
 }
 
 Real blur_radius(const Lens& lens, Real depth) {
-    // [exercise 12.7] The rays from the rim of the lens through the point are a double cone. Its radius is
-    // lens.radius at the lens, 0 at the point, and linear in between and beyond. A point that is infinitely
-    // far away makes it a cylinder.
+    // [exercise 12.7] The radius, in the plane in focus, of the double cone of all rays from the lens through
+    // the point.
     if (depth == infinity) return lens.radius;
     // |1 − distance/depth| would lose its digits where depth is nearly the distance. The difference is exact
     // there (Sterbenz 1974).
     return lens.radius * (std::abs(depth - lens.distance) / depth);
+    // [/exercise]
+}
+
+Ray tilted_lens_ray(const View& view, Real radius, const FocusPlane& plane, Real x, Real y,
+                    const Vec2& on_lens) {
+    // [exercise 12.24] The ray through this point of the lens, with the given plane in focus.
+    const auto& [eye, straight, time] = pixel_ray(view, x, y);
+    const Vec3 aside = radius * (on_lens.x * view.frame.u + on_lens.y * view.frame.v);
+    // 1/t of where the ray from the middle meets the plane: 0 if it never does, negative if that is behind.
+    const Real inverse = dot(straight, plane.normal) / dot(plane.point - eye, plane.normal);
+    return Ray{eye + aside, normalize(straight - inverse * aside), time};
     // [/exercise]
 }
 

@@ -15,9 +15,7 @@
 namespace rt {
 
 Real shutter_time(const Shutter& shutter, Real random) {
-    // [exercise 12.8] Draw how far the shutter is open over time: the light until a time is the area of the
-    // trapezoid to the left of it. Find the whole area and how much of it is asked for; then, in which of the
-    // three parts that much is reached, and when.
+    // [exercise 12.8] The time at which the part `random` of all the light has come in.
     const auto [o, c] = shutter;
     const Real A = 1 - o / 2 - c / 2, light = random * A;
     // While it opens, light = ½·t·t/o.
@@ -30,17 +28,15 @@ Real shutter_time(const Shutter& shutter, Real random) {
 }
 
 Ray seen_while_moving(const Ray& ray, const Vec3& motion) {
-    // [exercise 12.9] Where the thing is at ray.time, it has moved by a part of `motion`. Move the ray's
-    // origin as far in the opposite direction.
+    // [exercise 12.9] The ray as the moving thing sees it.
     return {ray.origin - ray.time * motion, ray.direction, ray.time};
     // [/exercise]
 }
 
 Bounds bounds_while_moving(const Bounds& bounds, const Vec3& motion) {
-    // [exercise 12.9] The box at time 0, the box at time 1, and all between them. Along each axis one of the
-    // two faces stays where it is, and the other is moved. Move each face to the next number outwards
-    // (std::nextafter), because a sum may have been rounded inwards. Leave an empty box alone.
+    // [exercise 12.9] The box around all places of the box on its way, with its faces surely outside.
     if (glm::any(glm::greaterThan(bounds.low, bounds.high))) return bounds;
+    // The face that the motion leads away from stays, the other one moves. Either sum may be rounded inwards.
     Bounds all{bounds.low + glm::min(motion, Vec3(0)), bounds.high + glm::max(motion, Vec3(0))};
     for (int axis = 0; axis < 3; ++axis) {
         all.low[axis] = std::nextafter(all.low[axis], -infinity);
@@ -51,10 +47,10 @@ Bounds bounds_while_moving(const Bounds& bounds, const Vec3& motion) {
 }
 
 Ray seen_while_turning(const Ray& ray, const Spin& spin) {
-    // [exercise 12.21] Where the thing is at ray.time, it has turned by a part of the angle. Turn the ray's
-    // origin, as seen from the center, and its direction back by as much: by Rodrigues' formula, step 04.2.
-    // Written as what is added to a vector, the turn by nothing adds nothing, and all bits stay.
+    // [exercise 12.21] The ray as the turning thing sees it.
     const Real angle = ray.time * spin.angle, sine = std::sin(angle), lost = 1 - std::cos(angle);
+    // Rodrigues' formula (04.2) for −angle, as what it adds to a vector: nothing at the angle 0, so all bits
+    // stay.
     const auto added = [&](const Vec3& v) {
         const Vec3 side = cross(spin.axis, v);
         return lost * cross(spin.axis, side) - sine * side;
@@ -64,10 +60,9 @@ Ray seen_while_turning(const Ray& ray, const Spin& spin) {
 }
 
 Interval arc_range(Real x, Real y, Real angle) {
-    // [exercise 12.22] Over θ this is a cosine curve. How high does it go, and at which angle between 0 and
-    // 2π? Where is it lowest? What is not reached before `angle` does not count, but the two ends do. A turn
-    // the other way is the mirror image of this one: −y for y.
+    // [exercise 12.22] The least and the greatest value of x·cos θ + y·sin θ on the way from 0 to `angle`.
     if (angle < 0) return arc_range(x, -y, -angle);
+    // A cosine curve as high as the radius. Peak and valley count if the arc comes to them, the ends always.
     const Real end = x * std::cos(angle) + y * std::sin(angle), radius = std::hypot(x, y);
     const Real direction = std::atan2(y, x), peak = direction < 0 ? direction + 2 * pi : direction;
     const Real valley = direction + pi;
@@ -92,15 +87,13 @@ namespace {
 }  // namespace
 
 Bounds bounds_while_turning(const Bounds& bounds, const Spin& spin) {
-    // [exercise 12.22] Each corner turns on an arc, center + along + across·cos θ + side·sin θ, where `along`
-    // is the part of the corner along the axis, which stays. Join the ranges of all arcs, coordinate by
-    // coordinate. At last move the faces outwards by gamma(64) of |center| + r: that is more than all that
-    // was rounded. Leave an empty box alone.
+    // [exercise 12.22] The box around the arcs of all eight corners, with its faces surely outside.
     if (glm::any(glm::lessThan(bounds.high, bounds.low))) return bounds;
     Bounds all;
     Real r = 0;
     for (const Vec3& corner : corners_from(spin.center, bounds)) {
         r = std::max(r, length(corner));
+        // `along` stays. The rest is across·cos θ + side·sin θ.
         const Vec3 along = dot(spin.axis, corner) * spin.axis, middle = spin.center + along;
         const Vec3 across = corner - along, side = cross(spin.axis, corner);
         for (int axis = 0; axis < 3; ++axis) {

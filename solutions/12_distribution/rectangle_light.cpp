@@ -42,7 +42,7 @@ std::array<SeenTriangle, 2> halves(const QuadLight& light, const Vec3& from) {
 }
 
 Real solid_angle(const QuadLight& light, const Vec3& from) {
-    // [exercise 12.13] Its halves' together.
+    // [exercise 12.13] The solid angle of the whole parallelogram.
     const auto both = halves(light, from);
     return solid_angle(both[0]) + solid_angle(both[1]);
     // [/exercise]
@@ -63,9 +63,8 @@ std::optional<LightDirection> toward_a_half(const QuadLight& light, const Vec3& 
 }
 
 std::optional<LightDirection> toward(const QuadLight& light, const Vec3& from, const Vec2& random) {
-    // [exercise 12.13] Where it is not easy, a half. Else go along ab first: of all rectangles that have the
-    // light's left side, take the one that fills the part random.x of its solid angle. Then go along ac on
-    // that one's right side, evenly by the sine of the angle that the viewer turns up.
+    // [exercise 12.13] A uniform direction to the rectangle: first the x, then the y of a point of it. Where
+    // the given is_easy says no, toward_a_half answers.
     const Real omega = solid_angle(light, from);
     const Vec3 a = light.corner - from, right = unit(light.ab), up = unit(light.ac);
     const Real x0 = dot(a, right), x1 = x0 + length(light.ab), y0 = dot(a, up), y1 = y0 + length(light.ac);

@@ -19,9 +19,8 @@ namespace {
 }  // namespace
 
 std::uint32_t permuted(std::uint32_t index, std::uint32_t count, std::uint64_t key) {
-    // [exercise 12.1] Return the place of `index`. Make a permutation of all numbers below a power of two,
-    // the least that is not below count, of steps that can be undone and that depend on the key. If it leads
-    // out of the numbers below count, go on from there.
+    // [exercise 12.1] The place of `index` in the order that belongs to `key`: a permutation of 0 … count −
+    // 1.
     if (count == 1) return 0;
     const std::uint32_t mask = ~std::uint32_t(0) >> std::countl_zero(count - 1);
     const int bits = static_cast<int>(std::bit_width(mask));
@@ -55,17 +54,16 @@ Stratum stratum(std::uint32_t index, std::uint32_t count) {
 }
 
 Real stratified_number(std::uint32_t index, std::uint32_t count, std::uint64_t key) {
-    // [exercise 12.2] Return a number that is uniform in the part that this sample has. Its place in the part
-    // must not come from the bits that have chosen the part. Stir the key before anything is added to it, or
-    // that of one key is the number of the next.
+    // [exercise 12.2] A number that is uniform in the part of [0, 1) that this sample has, and independent of
+    // which part that is.
     const Real part = permuted(index, count, key), all = count;
     return between(part / all, (part + 1) / all, mixed(mixed(stirred(key), 100), index));
     // [/exercise]
 }
 
 Vec2 stratified_point(std::uint32_t index, std::uint32_t count, std::uint64_t key) {
-    // [exercise 12.2] Likewise a point of the stratum that this sample has, by two numbers that have nothing
-    // to do with each other.
+    // [exercise 12.2] Likewise a point of the stratum that this sample has; its two coordinates are
+    // independent of each other.
     const std::uint64_t own = stirred(key);
     const auto [low, high] = stratum(permuted(index, count, key), count);
     return {between(low.x, high.x, mixed(mixed(own, 101), index)),

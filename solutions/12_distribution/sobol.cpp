@@ -61,7 +61,7 @@ constexpr std::array<Directions, sobol_dimensions> directions = make_directions(
 std::array<std::uint32_t, 32> sobol_directions(std::uint32_t dimension) { return directions[dimension]; }
 
 std::uint32_t sobol_bits(std::uint32_t index, std::uint32_t dimension) {
-    // [exercise 12.3] Return the exclusive or of the direction numbers of the bits that are 1 in `index`.
+    // [exercise 12.3] Combine the direction numbers of the bits that are 1 in `index`.
     std::uint32_t bits = 0;
     for (const std::uint32_t direction : sobol_directions(dimension)) {
         // All ones or zeros instead of a branch, which would go either way with every second bit.
@@ -73,10 +73,9 @@ std::uint32_t sobol_bits(std::uint32_t index, std::uint32_t dimension) {
 }
 
 std::uint32_t owen_scrambled(std::uint32_t bits, std::uint64_t key) {
-    // [exercise 12.4] Flip each bit, or not, by a coin that depends on the key and on the bits above it.
-    // Number the coins as the nodes of a binary tree: that of the highest bit is 1, and below the coin n are
-    // 2n for a 0 and 2n + 1 for a 1.
+    // [exercise 12.4] Flip each bit, or leave it, by the coin that the key has for the bits above it.
     const std::uint64_t own = stirred(key);
+    // The coins are the nodes of a binary tree: 1 at the top, and below n are 2n for a 0 and 2n + 1 for a 1.
     const std::uint32_t path = bits >> 1 | 0x80000000u;
     for (int bit = 0; bit < 32; ++bit) {
         const std::uint64_t coin = mixed(own, path >> bit) & 1;
@@ -87,7 +86,7 @@ std::uint32_t owen_scrambled(std::uint32_t bits, std::uint64_t key) {
 }
 
 Vec2 sobol_point(std::uint32_t index, std::uint64_t key) {
-    // [exercise 12.5] Scramble the index, and the coordinates of that point, by three keys made from `key`.
+    // [exercise 12.5] The point of the shuffled sequence, with each coordinate scrambled by coins of its own.
     const std::uint64_t own = stirred(key);
     const std::uint32_t shuffled = owen_scrambled(index, mixed(own, 0));
     const std::uint32_t x = owen_scrambled(sobol_bits(shuffled, 0), mixed(own, 1));
@@ -97,12 +96,13 @@ Vec2 sobol_point(std::uint32_t index, std::uint64_t key) {
 }
 
 std::uint32_t pixel_start(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint64_t key) {
-    // [exercise 12.5] From the whole picture of 4096 by 4096 pixels down: in which quarter of the square is
-    // the pixel, and which place has this quarter in the order of the four? Each place is two bits of the
-    // answer, which counts pixels; `count` indices belong to each.
+    // [exercise 12.5] The first index of the pixel, in a Z-order whose quarters are in an order of their own
+    // in each square.
     const std::uint64_t own = stirred(key);
     std::uint32_t place = 0;
     std::uint64_t square = 1;
+    // From the whole picture down: in which quarter of the square the pixel is, and which place that has in
+    // the order of the four. Each place is two bits of the answer, which counts pixels.
     for (int level = 11; level >= 0; --level) {
         const std::uint32_t quarter = (y >> level & 1) << 1 | (x >> level & 1);
         place = place << 2 | permuted(quarter, 4, mixed(own, square));

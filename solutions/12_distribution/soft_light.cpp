@@ -12,9 +12,8 @@ namespace rt {
 
 std::optional<LightSample> sample_light(const AreaLight& light, const Vec3& point, LightSampling how,
                                         const Vec2& random) {
-    // [exercise 12.18] Ask the light's shape, whichever it is, for a direction and its density: by Angle
-    // `toward`; by Area a `point_on` it, and how that is `seen_from` the point. Nothing, if there is none.
-    // The colour is what arrives on average if directions come with that density, in chapter 5's units.
+    // [exercise 12.18] A direction to the light, chosen as `how` says, its distance, and the colour of a
+    // light that stands for the whole lamp.
     const auto choose_direction = [&](const auto& shape) -> std::optional<LightDirection> {
         if (how == LightSampling::Angle) return toward(shape, point, random);
         return seen_from(point_on(shape, random), point);

@@ -10,8 +10,8 @@
 namespace rt {
 
 Real solid_angle(const SphereLight& light, const Vec3& from) {
-    // [exercise 12.11] The area that the cone cuts out of the unit sphere. The sine of the cone's angle is
-    // r/d; do not subtract the cosine from 1, because it is 1 for a small sphere far away.
+    // [exercise 12.11] The solid angle of the cone in which the sphere is seen, with all its digits for a
+    // star, too.
     const Real d = length(light.center - from), r = light.radius;
     if (!(d > r)) return 0;
     const Real cosine = std::sqrt((d - r) * (d + r)) / d, sine = r / d;
@@ -21,11 +21,10 @@ Real solid_angle(const SphereLight& light, const Vec3& from) {
 }
 
 std::optional<LightDirection> toward(const SphereLight& light, const Vec3& from, const Vec2& random) {
-    // [exercise 12.11] Equal areas of the unit sphere are equal steps of the cosine: of the way from 1 to the
-    // cone's cosine go the part random.x. Then turn about the axis. The ray meets the sphere twice, and the
-    // product of the two distances is (d − r)·(d + r): divide it by the greater one to have the lesser.
+    // [exercise 12.11] A uniform direction in that cone, and the distance to where its ray enters the sphere.
     const Real omega = solid_angle(light, from);
     if (!(omega > 0)) return std::nullopt;
+    // Equal areas of the unit sphere are equal steps of the cosine.
     const Vec3 to_center = light.center - from;
     const Real d = length(to_center), r = light.radius, M = omega / (2 * pi);
     const Real m = random.x * M, phi = 2 * pi * random.y, cosine = 1 - m;

@@ -35,8 +35,7 @@ namespace {
 }  // namespace
 
 Real solid_angle(const SeenTriangle& triangle) {
-    // [exercise 12.12] Of Van Oosterom and Strackee's fraction six_volumes gives the numerator. The
-    // denominator may be negative: the angle is then more than a quarter of a turn.
+    // [exercise 12.12] Van Oosterom and Strackee's formula, from −2π to 2π.
     const auto& [a, b, c, ab, ac] = triangle;
     const Real la = length(a), lb = length(b), lc = length(c);
     const Real x = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
@@ -47,14 +46,14 @@ Real solid_angle(const SeenTriangle& triangle) {
 Real solid_angle(const TriangleLight& light, const Vec3& from) { return solid_angle(seen(light, from)); }
 
 std::optional<LightDirection> toward(const SeenTriangle& triangle, const Vec2& random) {
-    // [exercise 12.12] Find c′ on the side ac, so that the triangle a, b, c′ has the part random.x of the
-    // solid angle: the lesson's n/m is the tangent of half of ψ, the angle by which the viewer turns from a
-    // to c′. Then go the part random.y of the way from B to C′, measured by the cosine of the angle to B.
+    // [exercise 12.12] A uniform direction to the triangle: first to the point c′ of the side ac, then along
+    // the side bc′.
     const auto& [a, b, c, ab, ac] = triangle;
     const Real omega = solid_angle(triangle), half = random.x * omega / 2;
     if (!(omega > 0)) return std::nullopt;
     const Vec3 A = unit(a), sum = A + unit(b), beside = rest_beside(A, ac);
     const Real q = length(beside);
+    // n/m is the tangent of half of ψ, the angle from a to c′.
     const Real n = std::sin(half) * length(b) * dot(sum, sum) / 2;  // |b| + A·b = |b|·(1 + A·B)
     const Real m =
         std::cos(half) * six_volumes(triangle) / (length(a) * q) - std::sin(half) * dot(ab, beside / q);

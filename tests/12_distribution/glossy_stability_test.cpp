@@ -1,4 +1,4 @@
-// Steps 12.16 and 12.17 with narrow lobes, smooth surfaces and grazing viewers.
+// Steps 12.16, 12.17 and 12.23 with narrow lobes, smooth surfaces and grazing viewers.
 #include "chapters/12_distribution/glossy.hpp"
 #include "common/math/error.hpp"
 #include "tests/12_distribution/glossy_checks.hpp"
@@ -40,6 +40,15 @@ Facets exact_facets(Real alpha, const Vec3& l, const Vec3& v) {
     // h.z/(4·l·h), where h is the sum over its size, and l·h half of that size.
     const Long mirrored = z / (2 * (x * x + y * y + z * z));
     return {static_cast<Real>(normals * seen(l) * seen(v) / 4), static_cast<Real>(normals * mirrored)};
+}
+
+/// What a sample must be, if there is one.
+void check_usable(const std::optional<LobeSample>& one) {
+    if (!one) return;
+    CHECK(test::is_valid(one->weight));
+    CHECK(one->to_light.z > 0);
+    CHECK(near(length(one->to_light), 1, gamma(24)));
+    CHECK((one->pdf > 0 && std::isfinite(one->pdf)));
 }
 
 }  // namespace
@@ -110,7 +119,7 @@ TEST_CASE("Phong's surface with narrow highlights and grazing viewers", "[12.17]
     }
 }
 
-TEST_CASE("facets nearly smooth and near the horizon", "[12.17][stability]") {
+TEST_CASE("facets nearly smooth and near the horizon", "[12.23][stability]") {
     Random random(121711);
     for (int i = 0; i < cases(5000); ++i) {
         const DiffuseGgx white{Vec3(0), Vec3(1), random.magnitude(-8, 0)};
@@ -131,7 +140,24 @@ TEST_CASE("facets nearly smooth and near the horizon", "[12.17][stability]") {
     }
 }
 
-TEST_CASE("samples of glossy surfaces at the ends of all numbers", "[12.17][stability]") {
+TEST_CASE("samples of Phong's surface at the ends of all numbers", "[12.17][stability]") {
+    const Vec3 grey(0.5), black(0);
+    for (const Real a : {0.0, 1e-300, 1e-10, 0.5, last})
+        for (const Real b : {0.0, 0.25, 0.75, last})
+            for (const Real c : {0.0, 0.5, last})
+                for (const Real cosine : {1e-6, 1e-3, 0.5, 1.0})
+                    for (const Real size : {0.0, 1.0, 1e4, 1e8})
+                        for (const int colours : {0, 1, 2, 3}) {
+                            const Vec3 diffuse = colours % 2 == 0 ? black : grey;
+                            const Vec3 specular = colours < 2 ? black : grey;
+                            const Vec3 v = at_cosine(cosine, 30), numbers(a, b, c);
+                            INFO("diffuse " << diffuse << ", specular " << specular << ", exponent " << size
+                                            << ", random numbers " << numbers << ", to the viewer " << v);
+                            check_usable(sample(ModifiedPhong{diffuse, specular, size}, v, numbers));
+                        }
+}
+
+TEST_CASE("samples of facets over a ground at the ends of all numbers", "[12.23][stability]") {
     const Vec3 grey(0.5), black(0);
     for (const Real a : {0.0, 1e-300, 1e-10, 0.5, last})
         for (const Real b : {0.0, 0.25, 0.75, last})
@@ -143,43 +169,37 @@ TEST_CASE("samples of glossy surfaces at the ends of all numbers", "[12.17][stab
                             const Vec3 specular = colours < 2 ? black : grey;
                             const Vec3 v = at_cosine(cosine, 30), numbers(a, b, c);
                             INFO("diffuse " << diffuse << ", specular " << specular << ", roughness " << size
-                                            << " or exponent " << 1e8 * size << ", random numbers " << numbers
-                                            << ", to the viewer " << v);
-                            for (const auto& one :
-                                 {sample(ModifiedPhong{diffuse, specular, 1e8 * size}, v, numbers),
-                                  sample(DiffuseGgx{diffuse, specular, size}, v, numbers)}) {
-                                if (!one) continue;
-                                CHECK(test::is_valid(one->weight));
-                                CHECK(one->to_light.z > 0);
-                                CHECK(near(length(one->to_light), 1, gamma(24)));
-                                CHECK((one->pdf > 0 && std::isfinite(one->pdf)));
-                            }
+                                            << ", random numbers " << numbers << ", to the viewer " << v);
+                            check_usable(sample(DiffuseGgx{diffuse, specular, size}, v, numbers));
                         }
 }
 
 TEST_CASE("narrow highlights are drawn as densely as they claim", "[12.17][stability]") {
-    for (const Real cosine : {1e-6, 0.1}) {
-        const Vec3 v = at_cosine(cosine, 70), mirror(-v.x, -v.y, v.z);
-        INFO("to the viewer " << v);
+    for (const Real cosine : {1e-6, 0.1})
         for (const Real exponent : {1e4, 1e8}) {
-            INFO("exponent " << exponent);
+            const Vec3 v = at_cosine(cosine, 70), mirror(-v.x, -v.y, v.z);
+            INFO("exponent " << exponent << ", to the viewer " << v);
             const ModifiedPhong phong{Vec3(0), Vec3(1), exponent};
             const auto draw = [&](const Vec3& numbers) { return sample(phong, v, numbers); };
             const auto density = [&](const Vec3& l) { return pdf(phong, l, v); };
             const test::Chart chart = test::around(mirror, exponent);
             test::check_report(test::compare_samples({chart}, draw, density, cases(20000), 121712));
         }
+}
+
+TEST_CASE("highlights of smooth facets are drawn as densely as they claim", "[12.23][stability]") {
+    for (const Real cosine : {1e-6, 0.1})
         for (const Real alpha : {1e-4, 1e-2}) {
             // Facets that are wider than the viewer is high mostly send light below the surface.
             if (cosine < alpha) continue;
-            INFO("alpha " << alpha);
+            const Vec3 v = at_cosine(cosine, 70);
+            INFO("alpha " << alpha << ", to the viewer " << v);
             const DiffuseGgx ggx{Vec3(0), Vec3(1), alpha};
             const auto draw = [&](const Vec3& numbers) { return sample(ggx, v, numbers); };
             const auto density = [&](const Vec3& l) { return pdf(ggx, l, v); };
             const test::Chart chart = test::mirrored_by_facets(alpha, v);
             test::check_report(test::compare_samples({chart}, draw, density, cases(20000), 121713));
         }
-    }
 }
 
 TEST_CASE("with a narrow highlight the ground gets its part", "[12.17][stability]") {

@@ -1,4 +1,4 @@
-// Steps 12.16 and 12.17: directions around an axis, and the successor course's glossy surfaces.
+// Steps 12.16, 12.17 and 12.23: directions around an axis, and the successor course's glossy surfaces.
 #include "chapters/12_distribution/glossy.hpp"
 #include "common/math/error.hpp"
 #include "tests/12_distribution/glossy_checks.hpp"
@@ -116,31 +116,21 @@ TEST_CASE("directions around an axis are as dense as they claim", "[12.16]") {
         }
 }
 
-TEST_CASE("how much of the directions the highlight gets", "[12.17]") {
-    const auto which = [](const char* name, const auto& lobe) {
-        return std::string("the highlight's part of ") + name + ", diffuse " + test::show(lobe.diffuse) +
-               " and specular " + test::show(lobe.specular);
-    };
-    INFO(which("Phong's surface", plastic));
+TEST_CASE("how much of the directions Phong's highlight gets", "[12.17]") {
+    INFO("diffuse 0.3 and specular 0.6");
     CHECK(near(highlight_part(plastic), 2 / 3.0, gamma(16)));
-    INFO(which("facets over a ground", satin));
-    CHECK(near(highlight_part(satin), 0.75, gamma(16)));
     INFO("of colours the mean counts");
     CHECK(near(highlight_part(ModifiedPhong{{0.3, 0, 0}, {0, 0.3, 0.6}, 1}), 0.75, gamma(16)));
     INFO("a surface that is only matte, and one that is only a highlight");
     CHECK(near(highlight_part(ModifiedPhong{Vec3(0.5), Vec3(0), 1}), 0, 0));
     CHECK(near(highlight_part(ModifiedPhong{Vec3(0), Vec3(0.5), 1}), 1, 0));
-    INFO("facets get at least a quarter");
-    CHECK(near(highlight_part(DiffuseGgx{Vec3(0.5), Vec3(0), 1}), 0.25, 0));
-    CHECK(near(highlight_part(DiffuseGgx{Vec3(0.9), Vec3(0.1), 1}), 0.25, 0));
-    INFO("black surfaces");
+    INFO("a black surface");
     CHECK(near(highlight_part(ModifiedPhong{Vec3(0), Vec3(0), 1}), 0, 0));
-    CHECK(near(highlight_part(DiffuseGgx{Vec3(0), Vec3(0), 1}), 1, 0));
 }
 
 TEST_CASE("Phong's highlight by hand", "[12.17]") {
     // The light where a mirror sees it: 0.3/π + 0.6·12/(2π) = 3.9/π.
-    INFO("to the light " << left << ", to the viewer " << right);
+    INFO("diffuse 0.3, specular 0.6, exponent 10, to the light " << left << ", to the viewer " << right);
     CHECK(near_color(evaluate(plastic, left, right), Vec3(3.9 / pi), gamma(256)));
     // A third of 0.5/π and two thirds of 11/(2π).
     CHECK(near(pdf(plastic, left, right), 23 / (6 * pi), gamma(256)));
@@ -157,24 +147,7 @@ TEST_CASE("Phong's highlight by hand", "[12.17]") {
                      Vec3(3.7, 2.0, 0.3) / pi, gamma(256)));
 }
 
-TEST_CASE("satin by hand", "[12.17]") {
-    // h is the normal, D = 4/π, G₁ = 4/(2 + √7) twice, 4·l.z·v.z = 1; F = 0.6 + 0.4/32.
-    const Real g1 = 4 / (2 + std::sqrt(7.0));
-    INFO("alpha 0.5, to the light " << left << ", to the viewer " << right);
-    CHECK(near_color(evaluate(satin, left, right), Vec3((0.2 + 2.45 * g1 * g1) / pi), gamma(64)));
-    // A quarter of 0.5/π; three quarters of D/(4·½).
-    CHECK(near(pdf(satin, left, right), 1.625 / pi, gamma(64)));
-    INFO("then straight up and back: D/4 = 1/π, F = 0.6");
-    CHECK(near_color(evaluate(satin, up, up), Vec3(0.8 / pi), gamma(64)));
-    CHECK(near(pdf(satin, up, up), 1 / pi, gamma(64)));
-    // Even a black one reflects: F = 1/32.
-    INFO("then black, to the light " << left << ", to the viewer " << right);
-    CHECK(near_color(evaluate(DiffuseGgx{Vec3(0), Vec3(0), 0.5}, left, right), Vec3(g1 * g1 / (8 * pi)),
-                     gamma(64)));
-    CHECK(near(pdf(DiffuseGgx{Vec3(0), Vec3(0), 0.5}, left, right), 2 / pi, gamma(64)));
-}
-
-TEST_CASE("below the surface glossy ones are 0", "[12.17]") {
+TEST_CASE("below the surface Phong's is 0", "[12.17]") {
     for (const Vec3& below : {Vec3(0, 0, -1), Vec3(right.x, 0, -0.5), Vec3(1, 0, 0)}) {
         INFO("one direction is " << below << ", the other " << right);
         CHECK(near_color(evaluate(plastic, below, right), Vec3(0), 0));
@@ -182,11 +155,6 @@ TEST_CASE("below the surface glossy ones are 0", "[12.17]") {
         CHECK(near(pdf(plastic, below, right), 0, 0));
         CHECK(near(pdf(plastic, right, below), 0, 0));
         CHECK_FALSE(sample(plastic, below, Vec3(0.25)).has_value());
-        CHECK(near_color(evaluate(satin, below, right), Vec3(0), 0));
-        CHECK(near_color(evaluate(satin, right, below), Vec3(0), 0));
-        CHECK(near(pdf(satin, below, right), 0, 0));
-        CHECK(near(pdf(satin, right, below), 0, 0));
-        CHECK_FALSE(sample(satin, below, Vec3(0.25)).has_value());
     }
 }
 
@@ -224,7 +192,102 @@ TEST_CASE("a sample of Phong's is weighed by both ways together", "[12.17]") {
     CHECK(drawn >= test::demanded(cases(1500), cases(800)));
 }
 
-TEST_CASE("a sample of satin is weighed by both ways together", "[12.17]") {
+TEST_CASE("directions from Phong's surface are as dense as they claim", "[12.17]") {
+    const ModifiedPhong surfaces[] = {
+        plastic, {Vec3(0.5), Vec3(0), 5}, {Vec3(0), Vec3(0.5), 1}, {Vec3(0.8), Vec3(0.1), 20}};
+    for (const ModifiedPhong& phong : surfaces)
+        for (const Real angle : {0.0, 70.0}) {
+            const Vec3 v = towards(angle, 25);
+            INFO("diffuse " << phong.diffuse << ", specular " << phong.specular << ", exponent "
+                            << phong.exponent << ", the viewer " << angle << " degrees from the normal");
+            const auto draw = [&](const Vec3& numbers) { return sample(phong, v, numbers); };
+            const auto density = [&](const Vec3& l) { return pdf(phong, l, v); };
+            test::check_report(test::compare_samples({test::dome()}, draw, density, cases(20000), 121703));
+        }
+}
+
+TEST_CASE("Phong's surface is the same with light and viewer exchanged", "[12.17]") {
+    Random random(121705);
+    for (int i = 0; i < cases(2000); ++i) {
+        const Vec3 l = upper(random), v = upper(random);
+        const ModifiedPhong phong{{0.1, 0.2, 0.3}, {0.6, 0.4, 0.2}, random.magnitude(0, 3)};
+        INFO("exponent " << phong.exponent << ", one direction " << l << ", the other " << v);
+        const Vec3 f = evaluate(phong, l, v);
+        CHECK(near(f, evaluate(phong, v, l), gamma(32) * (1 + phong.exponent) * max_component(f)));
+    }
+}
+
+TEST_CASE("what Phong's surface returns of an even light", "[12.17]") {
+    // Straight from above diffuse + specular. The midpoint rule errs by less than 1e-3.
+    const ModifiedPhong blue{Vec3(0.3, 0, 0.5), Vec3(0.6, 1, 0), 10};
+    {
+        INFO("diffuse (0.3, 0, 0.5), specular (0.6, 1, 0), exponent 10, the viewer above");
+        CHECK(near_color(furnace(blue, up, test::dome(), 128), Vec3(0.9, 1, 0.5), 1e-3));
+    }
+    for (const Real exponent : {0.0, 1.0, 10.0, 5000.0}) {
+        INFO("exponent " << exponent << ", the viewer above, the ground black");
+        const ModifiedPhong shiny{Vec3(0), Vec3(0.6, 1, 0), exponent};
+        CHECK(near_color(furnace(shiny, up, test::around(up, exponent), 64), Vec3(0.6, 1, 0), 1e-3));
+    }
+    // For s = 1 the integral of two cosines that are θ apart is ⅔(sin θ + (π − θ)·cos θ).
+    for (const Real angle : {30.0, 60.0, 89.0}) {
+        INFO("exponent 1, the viewer " << angle << " degrees from the normal");
+        const Real theta = radians(angle), expected = (std::sin(theta) + (pi - theta) * std::cos(theta)) / pi;
+        const ModifiedPhong shiny{Vec3(0), Vec3(1), 1};
+        CHECK(near_color(furnace(shiny, towards(angle, 10), test::dome(), 128), Vec3(expected), 1e-3));
+    }
+}
+
+TEST_CASE("Phong's surface returns no more light than it gets", "[12.17]") {
+    for (const Real angle : {0.0, 45.0, 80.0, 89.0})
+        for (const Real exponent : {0.0, 1.0, 10.0, 100.0}) {
+            INFO("exponent " << exponent << ", the viewer " << angle << " degrees from the normal");
+            const Vec3 v = towards(angle, 10);
+            CHECK(furnace(ModifiedPhong{Vec3(0.4), Vec3(0.6), exponent}, v, test::dome(), 128).x <= 1 + 5e-3);
+        }
+}
+
+// 12.23 --------------------------------------------------------------------------------------------------
+
+TEST_CASE("how much of the directions the facets get", "[12.23]") {
+    INFO("diffuse 0.2 and specular 0.6");
+    CHECK(near(highlight_part(satin), 0.75, gamma(16)));
+    INFO("facets get at least a quarter");
+    CHECK(near(highlight_part(DiffuseGgx{Vec3(0.5), Vec3(0), 1}), 0.25, 0));
+    CHECK(near(highlight_part(DiffuseGgx{Vec3(0.9), Vec3(0.1), 1}), 0.25, 0));
+    INFO("a black surface");
+    CHECK(near(highlight_part(DiffuseGgx{Vec3(0), Vec3(0), 1}), 1, 0));
+}
+
+TEST_CASE("satin by hand", "[12.23]") {
+    // h is the normal, D = 4/π, G₁ = 4/(2 + √7) twice, 4·l.z·v.z = 1; F = 0.6 + 0.4/32.
+    const Real g1 = 4 / (2 + std::sqrt(7.0));
+    INFO("alpha 0.5, to the light " << left << ", to the viewer " << right);
+    CHECK(near_color(evaluate(satin, left, right), Vec3((0.2 + 2.45 * g1 * g1) / pi), gamma(64)));
+    // A quarter of 0.5/π; three quarters of D/(4·½).
+    CHECK(near(pdf(satin, left, right), 1.625 / pi, gamma(64)));
+    INFO("then straight up and back: D/4 = 1/π, F = 0.6");
+    CHECK(near_color(evaluate(satin, up, up), Vec3(0.8 / pi), gamma(64)));
+    CHECK(near(pdf(satin, up, up), 1 / pi, gamma(64)));
+    // Even a black one reflects: F = 1/32.
+    INFO("then black, to the light " << left << ", to the viewer " << right);
+    CHECK(near_color(evaluate(DiffuseGgx{Vec3(0), Vec3(0), 0.5}, left, right), Vec3(g1 * g1 / (8 * pi)),
+                     gamma(64)));
+    CHECK(near(pdf(DiffuseGgx{Vec3(0), Vec3(0), 0.5}, left, right), 2 / pi, gamma(64)));
+}
+
+TEST_CASE("below the surface satin is 0", "[12.23]") {
+    for (const Vec3& below : {Vec3(0, 0, -1), Vec3(right.x, 0, -0.5), Vec3(1, 0, 0)}) {
+        INFO("one direction is " << below << ", the other " << right);
+        CHECK(near_color(evaluate(satin, below, right), Vec3(0), 0));
+        CHECK(near_color(evaluate(satin, right, below), Vec3(0), 0));
+        CHECK(near(pdf(satin, below, right), 0, 0));
+        CHECK(near(pdf(satin, right, below), 0, 0));
+        CHECK_FALSE(sample(satin, below, Vec3(0.25)).has_value());
+    }
+}
+
+TEST_CASE("a sample of satin is weighed by both ways together", "[12.23]") {
     Random random(121702);
     int drawn = 0;
     for (int i = 0; i < cases(3000); ++i) {
@@ -251,21 +314,7 @@ TEST_CASE("a sample of satin is weighed by both ways together", "[12.17]") {
     CHECK(drawn >= test::demanded(cases(1500), cases(800)));
 }
 
-TEST_CASE("directions from Phong's surface are as dense as they claim", "[12.17]") {
-    const ModifiedPhong surfaces[] = {
-        plastic, {Vec3(0.5), Vec3(0), 5}, {Vec3(0), Vec3(0.5), 1}, {Vec3(0.8), Vec3(0.1), 20}};
-    for (const ModifiedPhong& phong : surfaces)
-        for (const Real angle : {0.0, 70.0}) {
-            const Vec3 v = towards(angle, 25);
-            INFO("diffuse " << phong.diffuse << ", specular " << phong.specular << ", exponent "
-                            << phong.exponent << ", the viewer " << angle << " degrees from the normal");
-            const auto draw = [&](const Vec3& numbers) { return sample(phong, v, numbers); };
-            const auto density = [&](const Vec3& l) { return pdf(phong, l, v); };
-            test::check_report(test::compare_samples({test::dome()}, draw, density, cases(20000), 121703));
-        }
-}
-
-TEST_CASE("directions from satin are as dense as they claim", "[12.17]") {
+TEST_CASE("directions from satin are as dense as they claim", "[12.23]") {
     const DiffuseGgx surfaces[] = {
         satin, {Vec3(0.9), Vec3(0), 0.4}, {Vec3(0), Vec3(0.5), 1}, {Vec3(0), Vec3(0), 0.6}};
     for (const DiffuseGgx& ggx : surfaces)
@@ -279,22 +328,18 @@ TEST_CASE("directions from satin are as dense as they claim", "[12.17]") {
         }
 }
 
-TEST_CASE("glossy surfaces are the same with light and viewer exchanged", "[12.17]") {
-    Random random(121705);
+TEST_CASE("satin is the same with light and viewer exchanged", "[12.23]") {
+    Random random(122305);
     for (int i = 0; i < cases(2000); ++i) {
         const Vec3 l = upper(random), v = upper(random);
-        const ModifiedPhong phong{{0.1, 0.2, 0.3}, {0.6, 0.4, 0.2}, random.magnitude(0, 3)};
         const DiffuseGgx ggx{{0.1, 0.2, 0.3}, {0.6, 0.4, 0.2}, random.uniform(0.05, 1)};
-        INFO("exponent " << phong.exponent << ", alpha " << ggx.roughness << ", one direction " << l
-                         << ", the other " << v);
-        const Vec3 f = evaluate(phong, l, v), g = evaluate(ggx, l, v);
-        CHECK(near(f, evaluate(phong, v, l), gamma(32) * (1 + phong.exponent) * max_component(f)));
-        CHECK(near(g, evaluate(ggx, v, l),
+        INFO("alpha " << ggx.roughness << ", one direction " << l << ", the other " << v);
+        CHECK(near(evaluate(ggx, l, v), evaluate(ggx, v, l),
                    2 * part(ggx.roughness, l, v) * (facets_by_tangent(ggx.roughness, l, v) + 1)));
     }
 }
 
-TEST_CASE("GGX by tangents, as the successor course writes it", "[12.17]") {
+TEST_CASE("GGX by tangents, as the successor course writes it", "[12.23]") {
     Random random(121706);
     for (int i = 0; i < cases(2000); ++i) {
         const Vec3 l = upper(random), v = upper(random);
@@ -307,41 +352,14 @@ TEST_CASE("GGX by tangents, as the successor course writes it", "[12.17]") {
     }
 }
 
-TEST_CASE("what Phong's surface returns of an even light", "[12.17]") {
-    // Straight from above diffuse + specular. The midpoint rule errs by less than 1e-3.
-    const ModifiedPhong blue{Vec3(0.3, 0, 0.5), Vec3(0.6, 1, 0), 10};
-    {
-        INFO("diffuse (0.3, 0, 0.5), specular (0.6, 1, 0), exponent 10, the viewer above");
-        CHECK(near_color(furnace(blue, up, test::dome(), 128), Vec3(0.9, 1, 0.5), 1e-3));
-    }
-    for (const Real exponent : {0.0, 1.0, 10.0, 5000.0}) {
-        INFO("exponent " << exponent << ", the viewer above, the ground black");
-        const ModifiedPhong shiny{Vec3(0), Vec3(0.6, 1, 0), exponent};
-        CHECK(near_color(furnace(shiny, up, test::around(up, exponent), 64), Vec3(0.6, 1, 0), 1e-3));
-    }
-    // For s = 1 the integral of two cosines that are θ apart is ⅔(sin θ + (π − θ)·cos θ).
-    for (const Real angle : {30.0, 60.0, 89.0}) {
-        INFO("exponent 1, the viewer " << angle << " degrees from the normal");
-        const Real theta = radians(angle), expected = (std::sin(theta) + (pi - theta) * std::cos(theta)) / pi;
-        const ModifiedPhong shiny{Vec3(0), Vec3(1), 1};
-        CHECK(near_color(furnace(shiny, towards(angle, 10), test::dome(), 128), Vec3(expected), 1e-3));
-    }
-}
-
-TEST_CASE("glossy surfaces return no more light than they get", "[12.17]") {
-    for (const Real angle : {0.0, 45.0, 80.0, 89.0}) {
-        const Vec3 v = towards(angle, 10);
-        INFO("the viewer " << angle << " degrees from the normal");
-        for (const Real exponent : {0.0, 1.0, 10.0, 100.0}) {
-            INFO("Phong's with the exponent " << exponent);
-            CHECK(furnace(ModifiedPhong{Vec3(0.4), Vec3(0.6), exponent}, v, test::dome(), 128).x <= 1 + 5e-3);
-        }
+TEST_CASE("facets over a black ground return no more light than they get", "[12.23]") {
+    for (const Real angle : {0.0, 45.0, 80.0, 89.0})
         for (const Real alpha : {0.05, 0.3, 1.0}) {
-            INFO("facets with alpha " << alpha << " over a black ground");
+            INFO("alpha " << alpha << ", the viewer " << angle << " degrees from the normal");
+            const Vec3 v = towards(angle, 10);
             const test::Chart chart = test::mirrored_by_facets(alpha, v);
             CHECK(furnace(DiffuseGgx{Vec3(0), Vec3(1), alpha}, v, chart, 64).x <= 1 + 2e-3);
         }
-    }
     // Straight from above with α = 1: 1 − ln 2, as for rough metal. The matte ground adds its colour.
     const test::Chart chart = test::mirrored_by_facets(1, up);
     INFO("facets with alpha 1 over a ground of 0.3, seen from straight above: 0.3 + 1 - ln 2");

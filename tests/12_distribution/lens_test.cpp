@@ -1,4 +1,4 @@
-// Steps 12.6 and 12.7: points of a lens's opening, rays through it, and the blur.
+// Steps 12.6, 12.7 and 12.24: points of a lens's opening, rays through it, the blur, and a lens that leans.
 #include "chapters/12_distribution/lens.hpp"
 
 #include "common/math/error.hpp"
@@ -393,5 +393,96 @@ TEST_CASE("a pentagon's blur is a pentagon, upside down before the focus", "[12.
         INFO("depth " << depth << ": the blur reaches " << highest << " pixels above its middle and "
                       << -lowest << " below");
         CHECK((highest > -lowest) == (depth > lens.distance));
+    }
+}
+
+// 12.24 --------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// The floor, 3 below the eye of a plain view.
+const FocusPlane below{Vec3(7, -3, 5), Vec3(0, 2, 0)};
+
+/// What rounding may do to a direction of tilted_lens_ray: the contract's.
+Real tilted_bound(const View& view, Real radius, const FocusPlane& plane, const Vec3& eye) {
+    const Real h = std::abs(dot(plane.point - eye, plane.normal)) / length(plane.normal);
+    return test::direction_bound(view) * (1 + radius / h * (1 + (length(eye) + length(plane.point)) / h));
+}
+
+void check_tilted(const View& view, Real radius, const FocusPlane& plane, const Vec2& at, const Vec2& on_lens,
+                  const Vec3& origin, const Vec3& direction) {
+    const Ray ray = tilted_lens_ray(view, radius, plane, at.x, at.y, on_lens);
+    INFO("a lens of radius " << radius << ", in focus the plane through " << plane.point
+                             << " with the normal " << plane.normal << ", the point " << at
+                             << " of the picture, on the lens at " << on_lens << ": origin, then direction");
+    CHECK(near(ray.origin, origin, gamma(64) * (length(view.eye) + radius + 1)));
+    CHECK(near(ray.direction, direction, tilted_bound(view, radius, plane, view.eye)));
+}
+
+}  // namespace
+
+TEST_CASE("with the floor in focus, a ray from 2 beside the middle to (0, -3, -4), by hand", "[12.24]") {
+    // (1, 1.75) is the ray (0, -3, -4)/5. From (2, 0, 0) the point is (-2, -3, -4) away.
+    const View view = plain_view(2, 1);
+    check_tilted(view, 2, below, {1, 1.75}, {1, 0}, {2, 0, 0}, Vec3(-2, -3, -4) / std::sqrt(29.0));
+    // From the top, (0, 2, 0), it is (0, -5, -4) away.
+    check_tilted(view, 2, below, {1, 1.75}, {0, 1}, {0, 2, 0}, Vec3(0, -5, -4) / std::sqrt(41.0));
+}
+
+TEST_CASE("rays along the plane in focus are parallel", "[12.24]") {
+    const View view = plain_view(2, 1);
+    for (const Vec2 on_lens : {Vec2(0, 0), Vec2(1, 0), Vec2(-0.6, 0.8)})
+        check_tilted(view, 2, below, {1, 1}, on_lens, {2 * on_lens.x, 2 * on_lens.y, 0}, {0, 0, -1});
+}
+
+TEST_CASE("above the horizon of the plane in focus rays part, by hand", "[12.24]") {
+    // (1, 0.25) is the ray (0, 3, -4)/5, which would come from (0, -3, 4). From there to (2, 0, 0).
+    check_tilted(plain_view(2, 1), 2, below, {1, 0.25}, {1, 0}, {2, 0, 0}, Vec3(2, 3, -4) / std::sqrt(29.0));
+}
+
+TEST_CASE("a lens that does not lean is that of lens_ray", "[12.24]") {
+    Random random(122401);
+    for (int i = 0; i < cases(3000); ++i) {
+        View view = test::some_view(random, i % 2 == 0 ? Projection::Perspective : Projection::Orthographic);
+        view.eye = random.in_cube();
+        const Lens lens = round_lens(random.magnitude(-3, 0), random.magnitude(-1, 2));
+        const FocusPlane plane{view.eye - lens.distance * view.frame.w,
+                               random.magnitude(-3, 3) * view.frame.w};
+        const Real x = random.uniform(0, view.width), y = random.uniform(0, view.height);
+        const Vec2 on_lens = disc_point(random_pair(random));
+        const Ray expected = lens_ray(view, lens, x, y, on_lens);
+        const Ray ray = tilted_lens_ray(view, lens.radius, plane, x, y, on_lens);
+        INFO("eye " << view.eye << ", lens of radius " << lens.radius << ", in focus at " << lens.distance
+                    << ", on the lens at " << on_lens << ": origin, then direction");
+        CHECK(near(ray.origin, expected.origin, gamma(64) * (length(expected.origin) + lens.radius)));
+        const Vec3 middle = pixel_ray(view, x, y).origin;
+        CHECK(near(ray.direction, expected.direction,
+                   tilted_bound(view, lens.radius, plane, middle) + test::direction_bound(view)));
+    }
+}
+
+TEST_CASE("rays through a lens that leans meet in the plane in focus", "[12.24]") {
+    Random random(122402);
+    for (int i = 0; i < cases(3000); ++i) {
+        View view = test::some_view(random, Projection::Perspective);
+        view.half_height = random.uniform(0.1, 1);
+        view.eye = random.in_cube();
+        const Real radius = random.magnitude(-3, 0);
+        const Vec3 away = random.direction();
+        const Real size = random.magnitude(-1, 1);
+        const FocusPlane plane{view.eye + size * away, random.direction()};
+        const Real x = random.uniform(0, view.width), y = random.uniform(0, view.height);
+        const Vec2 on_lens = disc_point(random_pair(random));
+        const Ray middle = pixel_ray(view, x, y);
+        const Ray ray = tilted_lens_ray(view, radius, plane, x, y, on_lens);
+        const Real t = dot(plane.point - middle.origin, plane.normal) / dot(middle.direction, plane.normal);
+        if (!(std::abs(t) < 1e3)) continue;
+        const Vec3 meeting = middle.origin + t * middle.direction, way = meeting - ray.origin;
+        INFO("eye " << view.eye << ", lens of radius " << radius << ", in focus the plane through "
+                    << plane.point << " with the normal " << plane.normal << ", on the lens at " << on_lens
+                    << ": the direction to the point in focus, or from it");
+        if (!(length(way) > 1e-3)) continue;
+        const Real bound = tilted_bound(view, radius, plane, view.eye);
+        CHECK(near(ray.direction, (t > 0 ? 1.0 : -1.0) * normalize(way), bound * (1 + 1e3)));
     }
 }
