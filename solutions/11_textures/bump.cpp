@@ -37,8 +37,7 @@ Vec3 kept_visible(const Vec3& shading_normal, const Vec3& geometric_normal, cons
     // the geometric normal that it can use. Both may be seen from behind.
     const Real height = dot(geometric_normal, to_viewer), turn = height < 0 ? -1 : 1;
     const Vec3 n = turn * shading_normal, g = turn * geometric_normal;
-    // A good m, of any length, shows its front, and mirrors the ray to 2 (m·v) m/(m·m) − v, which rises
-    // enough.
+    // A good m, of any length, shows its front and mirrors the ray to 2 (m·v) m/(m·m) − v, high enough.
     const auto is_good = [&](const Vec3& m) {
         const Real toward = dot(m, to_viewer);
         return toward > 0 && 2 * toward * dot(m, g) >= (1 + least_rise) * std::abs(height) * dot(m, m);

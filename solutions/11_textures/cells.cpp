@@ -22,8 +22,7 @@ CellDistances cell_distances(const Vec3& q) {
     // others as you can. Lose no digits where q is far from the origin.
     const std::array<Real, 5> steps{0, -1, 1, -2, 2};
     const Vec3 own = glm::floor(q), place = q - own;
-    // Two points are no farther than √3, and a cube at three steps is at least 2 away. Those near q come
-    // first.
+    // Two points are no farther than √3, and cubes at three steps at least 2. Those near q come first.
     Real first = infinity, second = infinity;  // squares
     Vec3 nearest(0);
     for (const Real x : steps)
