@@ -19,7 +19,7 @@ std::array<Real, 9> harmonics(const Vec3& d);
 
 /// [11.6] The coefficients of a sky that is given as a picture in SkyMap::LatitudeLongitude of at least one
 /// pixel: coefficient i is the sum over the pixels of radiance times harmonic i in the middle of the pixel
-/// times the solid angle of the pixel. That is exact: Δφ·(sin θ₁ − sin θ₀) between the latitudes θ₀ and θ₁,
+/// times the solid angle of the pixel. That is exact: Δθ·(sin φ₁ − sin φ₀) between the latitudes φ₀ and φ₁,
 /// so that the angles of all pixels sum up to 4π, whatever their number. Within (n + 32)u of 4π times the
 /// greatest radiance, for n pixels.
 SkyLight projected(const Image& picture);

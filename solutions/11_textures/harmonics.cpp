@@ -27,8 +27,8 @@ SkyLight projected(const Image& picture) {
         const Real upper = pi / 2 - j * row, middle = upper - row / 2;
         const Real angle = column * (std::sin(upper) - std::sin(upper - row));
         for (int i = 0; i < picture.width; ++i) {
-            const Real phi = (i + 0.5) * column, level = std::cos(middle);
-            const auto y = harmonics({level * std::cos(phi), std::sin(middle), level * std::sin(phi)});
+            const Real theta = (i + 0.5) * column, level = std::cos(middle);
+            const auto y = harmonics({level * std::cos(theta), std::sin(middle), level * std::sin(theta)});
             for (std::size_t k = 0; k < 9; ++k) light.coefficients[k] += angle * y[k] * pixel(picture, i, j);
         }
     }
