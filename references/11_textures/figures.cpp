@@ -298,7 +298,7 @@ std::string filter_errors() {
         return picture_of(scene);
     };
     const Image truth = picture_by(TextureFilter::Bilinear, 1024);
-    std::string text = "filter and samples a pixel,root of the mean square error\n";
+    std::string text = "samples a pixel × filter,root of the mean square error\n";
     const auto add = [&](const char* name, TextureFilter filter, int samples) {
         const Image seen = picture_by(filter, samples);
         Real sum = 0;
@@ -306,7 +306,7 @@ std::string filter_errors() {
             const Vec3 difference = seen.pixels[i] - truth.pixels[i];
             sum += dot(difference, difference) / 3;
         }
-        text += fmt::format("{} × {},{:.4f}\n", name, samples, std::sqrt(sum / (width * height)));
+        text += fmt::format("{} × {},{:.4f}\n", samples, name, std::sqrt(sum / (width * height)));
     };
     add("bilinear", TextureFilter::Bilinear, 1);
     add("bilinear", TextureFilter::Bilinear, 4);

@@ -88,7 +88,7 @@ inline std::string furnace_table() {
                                        metal(1),  glass(0.25), glass(1),    velvet(0.5),
                                        velvet(1), coated(1),   coated(0.5)};
     for (const NamedLobe& one : lobes) {
-        text += fmt::format("{} {} = {}", one.name, one.letter, one.value);
+        text += fmt::format("{} ({} = {})", one.name, one.letter, one.value);
         for (const Real cosine : {1.0, 0.5, 0.1})
             text += fmt::format(",{:.4f}", returned(one.lobe, test::at_cosine(cosine, 25), 192));
         text += '\n';
