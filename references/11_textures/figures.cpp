@@ -126,12 +126,12 @@ Image slice(Real size, ValueAt value_at) {
 
 Image slices() {
     const auto of = [](PatternKind kind) { return [kind](const Vec3& p) { return pattern_value(kind, p); }; };
-    return in_rows(labelled({slice(8, [](const Vec3& p) { return 0.5 + 0.5 * noise(p); }),
-                             slice(4, [](const Vec3& p) { return 0.7 * turbulence(p, 6); }),
-                             slice(6, of(PatternKind::Marble)), slice(30, of(PatternKind::Wood)),
-                             slice(8, [](const Vec3& p) { return 0.8 * cell_distances(p).first; }),
-                             slice(8, of(PatternKind::Cellular))},
-                            {"noise", "turbulence", "marble", "wood", "F1", "cells"}),
+    return in_rows(with_words({slice(8, [](const Vec3& p) { return 0.5 + 0.5 * noise(p); }),
+                               slice(4, [](const Vec3& p) { return 0.7 * turbulence(p, 6); }),
+                               slice(6, of(PatternKind::Marble)), slice(30, of(PatternKind::Wood)),
+                               slice(8, [](const Vec3& p) { return 0.8 * cell_distances(p).first; }),
+                               slice(8, of(PatternKind::Cellular))},
+                              {"noise", "turbulence", "marble", "wood", "F1", "cells"}),
                    3);
 }
 
@@ -165,8 +165,8 @@ Image sheet(HeightAt height_at) {
 }
 
 Image creases() {
-    return in_rows(labelled({sheet(noise_without_fade), sheet([](const Vec3& p) { return noise(p); })},
-                            {"linear: creases", "fade: smooth"}),
+    return in_rows(with_words({sheet(noise_without_fade), sheet([](const Vec3& p) { return noise(p); })},
+                              {"linear: creases", "fade: smooth"}),
                    2);
 }
 
@@ -201,7 +201,7 @@ Image sky_maps() {
             const std::optional<Vec3> direction = sky_direction(map, {u, v});
             return direction ? sky_radiance(sky, *direction) : Vec3(1);
         }));
-    return in_rows(labelled(images, {"world", "light probe", "mirrored ball"}), 3);
+    return in_rows(with_words(images, {"world", "light probe", "mirrored ball"}), 3);
 }
 
 /// E(n)/π as the sum over all pixels of the sky.
@@ -239,7 +239,7 @@ Image balls_under(const Image& sky) {
             pixel(images[0], x, y) = summed, pixel(images[1], x, y) = nine;
             pixel(images[2], x, y) = 8.0 * glm::abs(nine - summed);
         }
-    return in_rows(labelled(images, {"all pixels", "nine numbers", "error by 8"}), 3);
+    return in_rows(with_words(images, {"all pixels", "nine numbers", "error by 8"}), 3);
 }
 
 /// How wrong nine numbers are, over all normals, as a part of what arrives at most.
@@ -279,11 +279,11 @@ Scene horizon(TextureFilter filter, int samples, int width, int height) {
 Image picture_of(const Scene& scene) { return render(compile(scene)).image; }
 
 Image ways_to_the_horizon() {
-    return in_rows(labelled({picture_of(horizon(TextureFilter::Bilinear, 1, 280, 210)),
-                             picture_of(horizon(TextureFilter::Trilinear, 1, 280, 210)),
-                             picture_of(horizon(TextureFilter::Anisotropic, 1, 280, 210)),
-                             picture_of(horizon(TextureFilter::Bilinear, 256, 280, 210))},
-                            {"bilinear", "trilinear", "anisotropic", "bilinear, 256 samples"}),
+    return in_rows(with_words({picture_of(horizon(TextureFilter::Bilinear, 1, 280, 210)),
+                               picture_of(horizon(TextureFilter::Trilinear, 1, 280, 210)),
+                               picture_of(horizon(TextureFilter::Anisotropic, 1, 280, 210)),
+                               picture_of(horizon(TextureFilter::Bilinear, 256, 280, 210))},
+                              {"bilinear", "trilinear", "anisotropic", "bilinear, 256 samples"}),
                    2);
 }
 
@@ -391,11 +391,11 @@ void draw_finishes(const Path& out) {
 void draw_all(const Path& out) {
     draw_texture_pictures(out);
     write_image(out / "perspective.png",
-                in_rows(labelled({floor_of_two_triangles(false), floor_of_two_triangles(true)},
-                                 {"linear on screen: no", "on the floor: right"}),
+                in_rows(with_words({floor_of_two_triangles(false), floor_of_two_triangles(true)},
+                                   {"linear on screen: no", "on the floor: right"}),
                         2));
     write_image(out / "between_texels.png",
-                in_rows(labelled({magnified(false), magnified(true)}, {"nearest", "bilinear"}), 2));
+                in_rows(with_words({magnified(false), magnified(true)}, {"nearest", "bilinear"}), 2));
     write_image(out / "levels.png", levels());
     write_image(out / "slices.png", slices());
     write_image(out / "creases.png", creases());

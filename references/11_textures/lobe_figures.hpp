@@ -250,8 +250,8 @@ inline Image white_furnace() {
     };
     add(metal(0.01)), add(metal(0.25)), add(metal(1)), add(glass(0.25));
     add(matte(1)), add(velvet(1)), add(coated(1)), add(coated(1), true);
-    return in_rows(labelled(images, {"metal 0.01", "metal 0.25", "metal 1", "glass 0.25", "clay", "velvet",
-                                     "paint", "varnished"}),
+    return in_rows(with_words(images, {"metal 0.01", "metal 0.25", "metal 1", "glass 0.25", "clay", "velvet",
+                                       "paint", "varnished"}),
                    4, 0);
 }
 
