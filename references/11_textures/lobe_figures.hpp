@@ -143,7 +143,7 @@ inline std::string chi_squares() {
 
 /// Returned light against the viewer's cosine: facets on the left, the others on the right.
 inline Svg furnace_curves() {
-    Svg svg{720, 330};
+    Svg svg{720, 362};
     const auto panel = [&](Real left, const char* title,
                            const std::vector<std::pair<NamedLobe, SvgStyle>>& curves) {
         const Plot plot{{left, 40}, {270, 220}, {0, 1}, {0, 1.05}};
@@ -172,12 +172,12 @@ inline Svg furnace_curves() {
            {velvet(1), {.stroke = orange, .width = 2}},
            {velvet(0.5), {.stroke = red, .width = 2}}});
     const auto word = [&](Real x, Real y, const char* words, const char* color) {
-        text(svg, {x, y}, words, colored(small, color));
+        text(svg, {x, y}, words, colored(SvgFont{.size = 17}, color));
     };
-    word(60, 322, "α = 0.01", blue), word(135, 322, "0.25", green), word(185, 322, "0.5", orange);
-    word(230, 322, "1", red);
-    word(400, 322, "matte σ = 1", blue), word(488, 322, "paint, 1 and ½", purple);
-    word(590, 322, "velvet σ = 1", orange), word(677, 322, "½", red);
+    word(60, 328, "α = 0.01", blue), word(150, 328, "0.25", green), word(210, 328, "0.5", orange);
+    word(260, 328, "1", red);
+    word(400, 328, "matte σ = 1", blue), word(520, 328, "velvet σ = 1", orange), word(640, 328, "½", red);
+    word(400, 350, "paint of color 1, and ½ (dashes)", purple);
     return svg;
 }
 
@@ -208,9 +208,9 @@ inline Svg lobes_cut_open() {
                 if (points.empty() || length(at - points.back()) > 0.25) points.push_back(at);
             }
             polyline(svg, points, {.stroke = color, .width = 2});
-            text(svg, {left + 90, below}, fmt::format("{} = {}: at most {:.3g}", one.letter, one.value, most),
-                 colored(middle(small), color));
-            below += 20;
+            text(svg, {left + 90, below}, fmt::format("{} = {}: {:.3g}", one.letter, one.value, most),
+                 colored(middle(SvgFont{.size = 17}), color));
+            below += 22;
         }
         left += 180;
     };
