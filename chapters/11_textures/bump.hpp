@@ -8,14 +8,14 @@ namespace rt {
 /// How far a mirrored ray must rise, in parts of how far the viewer stands above the surface: kept_visible.
 inline constexpr Real least_rise = 0x1p-6;
 
-/// [11.7] The unit normal of the surface, were its points moved along `normal` by a small height that varies
+/// [11.11] The unit normal of the surface, were its points moved along `normal` by a small height that varies
 /// in space: normal - (what the gradient has along the surface). (Perlin 1985, after Blinn 1978.)
 ///
 /// `normal` is unit. Where the gradient is 0, or along the normal, it stays what it is, up to rounding. To
 /// 16u(1 + |height_gradient|); not NaN for a gradient up to 1e300 in size.
 Vec3 bumped(const Vec3& normal, const Vec3& height_gradient);
 
-/// [11.7] The same, where the height is known along the surface only: du and dv are how the point moves with
+/// [11.11] The same, where the height is known along the surface only: du and dv are how the point moves with
 /// two texture coordinates, dh_du and dh_dv how the height does (Blinn 1978). du and dv lie in the surface,
 /// or nearly; their lengths, their order and the angle between them do not matter.
 ///
@@ -30,7 +30,7 @@ Vec3 bumped(const Vec3& normal, const Vec3& du, const Vec3& dv, Real dh_du, Real
 /// `normal` itself where du is 0 or along the normal, or rgb is 1/2 throughout. Given.
 Vec3 from_normal_map(const Vec3& rgb, const Vec3& du, const Vec3& dv, const Vec3& normal);
 
-/// [11.7] A shading normal that shading can use: one that the viewer sees from the front, and that does not
+/// [11.11] A shading normal that shading can use: one that the viewer sees from the front, and that does not
 /// mirror the viewer's ray into the surface. All three are unit vectors. With c the size of
 /// dot(geometric_normal, to_viewer):
 ///   - the result is unit, and on the viewer's side if the geometric normal is, else on the far side: its

@@ -17,7 +17,7 @@ struct CellDistances {
 /// any size; they are taken modulo 2^32. Given.
 Vec3 cell_point(const Vec3& cell);
 
-/// [11.6] The distances from q to the two nearest feature points, of which each unit cube of space has one
+/// [11.9] The distances from q to the two nearest feature points, of which each unit cube of space has one
 /// (Worley 1996), and which cube has the nearest; of equally near ones, any. For any finite q; distances to
 /// 16u, for |q| < 2^52. Beyond, cubes side by side are no longer told apart, and only the ranges above are
 /// promised.

@@ -31,26 +31,25 @@ Real mean_fresnel(Real ior) {
 }
 
 Real inner_reflectance(Real ior) {
-    // 11.17  What comes in is what a mean over the outside lets pass. It fills directions inside
-    // that are n² times fewer, and by the same ways light gets out again: only (1 − mean_fresnel)/n² of it
-    // does.
-    return todo("11.17");
+    // 11.22  Return the part of even light inside that does not get out. By which ways did it get
+    // in?
+    return todo("11.22");
 }
 
 Vec3 evaluate(const Coated& coated, const Vec3& to_light, const Vec3& to_viewer) {
-    // 11.17  What passes inwards, meets the ground once or more often, with the coat in between,
+    // 11.22  What passes inwards, meets the ground once or more often, with the coat in between,
     // and passes outwards.
-    return todo("11.17");
+    return todo("11.22");
 }
 
 Real pdf(const Coated& coated, const Vec3& to_light, const Vec3& to_viewer) {
-    // 11.17  The density of cosine_direction, times the probability that the ground is chosen.
-    return todo("11.17");
+    // 11.22  Return the density of the directions that sample draws for the ground.
+    return todo("11.22");
 }
 
 std::optional<LobeSample> sample(const Coated& coated, const Vec3& to_viewer, const Vec3& random) {
-    // 11.17  The mirror or the ground, as random.z decides.
-    return todo("11.17");
+    // 11.22  The mirror or the ground, as random.z decides.
+    return todo("11.22");
 }
 
 }  // namespace rt

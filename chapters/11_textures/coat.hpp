@@ -21,20 +21,20 @@ struct Coated {
 /// outside: 2∫F·cosθ d(cosθ) (closed form of Walsh 1926; see Duntley 1942). Right to 1e-7. Given.
 Real mean_fresnel(Real ior);
 
-/// [11.17] What the coat mirrors back inside, of light that comes evenly from all sides of the ground:
+/// [11.22] What the coat mirrors back inside, of light that comes evenly from all sides of the ground:
 /// 1 − (1 − mean_fresnel)/n². In [0, 1).
 Real inner_reflectance(Real ior);
 
-/// [11.17] The ground's lobe in 1/sr, without the cosine and without the mirror (Wolff 1994):
+/// [11.22] The ground's lobe in 1/sr, without the cosine and without the mirror (Wolff 1994):
 ///   f = T(l)·T(v)·color / (π·n²·(1 − color·inner_reflectance)),  T(w) = 1 − F(w.z),
 /// a channel. 0 if either direction is not above the surface. Right to 64u·(1 + f), and what mean_fresnel is.
 Vec3 evaluate(const Coated& coated, const Vec3& to_light, const Vec3& to_viewer);
 
-/// [11.17] The density of sample's directions per sr, without the mirror's: T(v)·l.z/π; 0 if either direction
+/// [11.22] The density of sample's directions per sr, without the mirror's: T(v)·l.z/π; 0 if either direction
 /// is not above the surface.
 Real pdf(const Coated& coated, const Vec3& to_light, const Vec3& to_viewer);
 
-/// [11.17] With probability F(v.z), where random.z is less, the mirror's direction, with weight 1 and
+/// [11.22] With probability F(v.z), where random.z is less, the mirror's direction, with weight 1 and
 /// infinite pdf; otherwise a cosine_direction by random.x and random.y for the ground, with weight f·cos/pdf.
 /// Nothing if the viewer is not above the surface.
 std::optional<LobeSample> sample(const Coated& coated, const Vec3& to_viewer, const Vec3& random);

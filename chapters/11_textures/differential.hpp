@@ -28,7 +28,7 @@ struct NormalChange {
 /// bound, but whoever asks wants a large number, not an infinite one: a smaller cosine counts as this one.
 inline constexpr Real least_cosine = 0x1p-20;
 
-/// [11.10] How pixel_ray(view, x, y) changes. Perspective: the origin stays, and the change of the direction
+/// [11.12] How pixel_ray(view, x, y) changes. Perspective: the origin stays, and the change of the direction
 /// is that of the unit vector, so it is perpendicular to the direction. Orthographic: the direction stays,
 /// and the origin moves.
 ///
@@ -36,7 +36,7 @@ inline constexpr Real least_cosine = 0x1p-20;
 /// gamma(16)·k.
 RayDifferential camera_differential(const View& view, Real x, Real y);
 
-/// [11.10] The differential where the ray meets a surface, at point_at(ray, t): the change of the origin is
+/// [11.12] The differential where the ray meets a surface, at point_at(ray, t): the change of the origin is
 /// that of the point in which the neighbouring ray meets the tangent plane there; the change of the direction
 /// stays. ray.direction and `normal` are unit vectors, the normal on either side. t is finite and may be
 /// negative: behind a mirror, say, where its rays seem to come from.
@@ -47,7 +47,7 @@ RayDifferential camera_differential(const View& view, Real x, Real y);
 /// never NaN, if |dp|, |dd| and |t| are no more than 1e100.
 RayDifferential transferred(const RayDifferential& differential, const Ray& ray, Real t, const Vec3& normal);
 
-/// [11.11] How the unit normal changes when the point moves as `at_surface` says (as `transferred` returns
+/// [11.13] How the unit normal changes when the point moves as `at_surface` says (as `transferred` returns
 /// it): dn = curvature · (dp − (dp·n)n), in x and in y. For a sphere of radius r the curvature is 1/r where
 /// `normal` points away from the centre, and −1/r where it was turned towards it. It is 0 for all that is
 /// flat: planes, discs, boxes, triangles. For a sphere and for flat things this is right.
@@ -58,13 +58,13 @@ RayDifferential transferred(const RayDifferential& differential, const Ray& ray,
 /// a texture's filter depends on the error. Right to gamma(8)·|curvature|·|dp|.
 NormalChange normal_change(const RayDifferential& at_surface, const Vec3& normal, Real curvature);
 
-/// [11.11] The differential of the mirrored ray, whose direction is reflect(d, n) = d − 2(d·n)n. `at_surface`
+/// [11.13] The differential of the mirrored ray, whose direction is reflect(d, n) = d − 2(d·n)n. `at_surface`
 /// is the incoming ray's, transferred to the surface; d, n: unit; `change`: of n. The origin's change stays.
 /// Right to gamma(24)·(|dd| + |dn|).
 RayDifferential reflected(const RayDifferential& at_surface, const Vec3& d, const Vec3& n,
                           const NormalChange& change);
 
-/// [11.11] The differential of the refracted ray, whose direction is refract(d, n, eta) of chapter 7. d:
+/// [11.13] The differential of the refracted ray, whose direction is refract(d, n, eta) of chapter 7. d:
 /// unit; n: unit, against d (d·n ≤ 0); `change`: of that n; eta = ior before / ior behind. Where reflection
 /// is total there is no refracted ray, and this must not be asked. The origin's change stays.
 ///

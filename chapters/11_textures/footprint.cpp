@@ -9,10 +9,9 @@
 namespace rt {
 
 Footprint footprint(const Vec3& du, const Vec3& dv, const Vec3& dp_dx, const Vec3& dp_dy) {
-    // 11.12  Find a and b for which a·du + b·dv is nearest to dp. With N = du × dv, the cross
-    // product of that equation with dv, dotted with N, has a alone on one side; with du, it has b. Return a
-    // footprint of 0 where N is so short that the sine of the angle is less than least_sine.
-    return todo("11.12");
+    // 11.14  For either dp, find a and b for which a·du + b·dv is nearest to it. Return a footprint
+    // of 0 where the sine of the angle between du and dv is less than least_sine.
+    return todo("11.14");
 }
 
 Ellipse ellipse(const Footprint& footprint, const Vec2& size) {
@@ -40,10 +39,9 @@ Real width_of(const MipMap& map, Real texels) {
 }
 
 Vec3 anisotropic(const MipMap& map, const Vec2& uv, const Footprint& footprint, Wrap wrap, int most_probes) {
-    // 11.12  Take the ellipse, in texels of the finest level. How wide are the probes, how many are
-    // there, and how much does each weigh? The k-th is at uv + k·w along the major axis, in texels, too,
-    // which are 1/width and 1/height in uv. Return the weighted mean of what trilinear sees there.
-    return todo("11.12");
+    // 11.14  Return the mean over the ellipse by probes along its major axis. How wide are they,
+    // how many are there, and how much does each weigh?
+    return todo("11.14");
 }
 
 }  // namespace rt

@@ -16,7 +16,7 @@ struct Footprint {
 /// The least sine of the angle between two tangents for which they count as two directions.
 inline constexpr Real least_sine = 0x1p-20;
 
-/// [11.12] The footprint where the surface runs along `du` = ∂p/∂u and `dv` = ∂p/∂v, and the point moves by
+/// [11.14] The footprint where the surface runs along `du` = ∂p/∂u and `dv` = ∂p/∂v, and the point moves by
 /// `dp_dx` and `dp_dy` from pixel to pixel: the changes of u and v for which a·du + b·dv is as near to dp as
 /// possible (least squares). What dp has perpendicular to both tangents does not count.
 ///
@@ -42,7 +42,7 @@ Ellipse ellipse(const Footprint& footprint, const Vec2& size);
 /// The `width` to which `trilinear` filters `texels` texels of the finest level. Given.
 Real width_of(const MipMap& map, Real texels);
 
-/// [11.12] The mean of the texture over the footprint around uv, by probes along the ellipse's major axis (as
+/// [11.14] The mean of the texture over the footprint around uv, by probes along the ellipse's major axis (as
 /// graphics hardware does, and Feline: McCormack, Perry, Farkas & Jouppi 1999). `most_probes`: from 1 to 64.
 ///
 /// The width w of all probes is the minor axis; but at least 1 texel, below which nothing gets sharper, and

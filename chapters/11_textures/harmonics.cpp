@@ -12,18 +12,18 @@
 namespace rt {
 
 std::array<Real, 9> harmonics(const Vec3& d) {
-    // 11.9  The values at d of the nine harmonics that the contract lists, in that order.
-    return todo("11.9");
+    // 11.6  The values at d of the nine harmonics that the contract lists, in that order.
+    return todo("11.6");
 }
 
 SkyLight projected(const Image& picture) {
-    // 11.9  Sum up what each pixel gives: radiance times harmonic in its middle times solid angle.
-    return todo("11.9");
+    // 11.6  For each of the nine harmonics, sum up what the pixels give.
+    return todo("11.6");
 }
 
 Vec3 irradiance(const SkyLight& light, const Vec3& normal) {
-    // 11.9  Weigh each band of harmonics by what the cosine leaves of it. No light is negative.
-    return todo("11.9");
+    // 11.6  How much light arrives, as far as the nine numbers know? No light is negative.
+    return todo("11.6");
 }
 
 Vec3 sky_diffuse(const SkyLight& light, const Vec3& normal, const Vec3& diffuse) {

@@ -9,7 +9,7 @@
 
 namespace rt {
 
-/// [11.9] The first nine real spherical harmonics at the unit vector d = (x, y, z), in the order Y₀₀; Y₁₋₁,
+/// [11.6] The first nine real spherical harmonics at the unit vector d = (x, y, z), in the order Y₀₀; Y₁₋₁,
 /// Y₁₀, Y₁₁; Y₂₋₂, Y₂₋₁, Y₂₀, Y₂₁, Y₂₂:
 ///   ½√(1/π);  ½√(3/π)·y, ½√(3/π)·z, ½√(3/π)·x;
 ///   ½√(15/π)·xy, ½√(15/π)·yz, ¼√(5/π)·(3z² − 1), ½√(15/π)·xz, ¼√(15/π)·(x² − y²).
@@ -17,14 +17,14 @@ namespace rt {
 /// 16u.
 std::array<Real, 9> harmonics(const Vec3& d);
 
-/// [11.9] The coefficients of a sky that is given as a picture in SkyMap::LatitudeLongitude of at least one
+/// [11.6] The coefficients of a sky that is given as a picture in SkyMap::LatitudeLongitude of at least one
 /// pixel: coefficient i is the sum over the pixels of radiance times harmonic i in the middle of the pixel
-/// times the solid angle of the pixel. That is exact: Δφ·(sin θ₁ − sin θ₀) between the latitudes θ₀ and θ₁,
+/// times the solid angle of the pixel. That is exact: Δθ·(sin φ₁ − sin φ₀) between the latitudes φ₀ and φ₁,
 /// so that the angles of all pixels sum up to 4π, whatever their number. Within (n + 32)u of 4π times the
 /// greatest radiance, for n pixels.
 SkyLight projected(const Image& picture);
 
-/// [11.9] The irradiance E at a surface with this unit normal from the sky with these coefficients, radiance
+/// [11.6] The irradiance E at a surface with this unit normal from the sky with these coefficients, radiance
 /// times steradian: a sky of radiance 1 gives π. The sum over i of A·Lᵢ·Yᵢ(normal), with A = π for the first,
 /// 2π/3 for the next three and π/4 for the last five; 0 in a channel where that is negative. Within 32u of
 /// the sum of the terms' sizes.

@@ -12,13 +12,12 @@ namespace rt {
 
 int wrapped(std::int64_t i, int size, Wrap wrap) {
     // 11.2  Return the texel that stands at place i, as the three rows in image_texture.hpp show. i
-    // may be negative, and % then leaves a negative remainder.
+    // may be negative.
     return todo("11.2");
 }
 
 Vec3 texel(const Image& image, std::int64_t column, std::int64_t row, Wrap wrap) {
-    // 11.2  Return the pixel in this column and this row. `row` counts from the bottom, and the
-    // rows of an image count from the top.
+    // 11.2  Return the pixel in this column and this row. `row` counts from the bottom.
     return todo("11.2");
 }
 
@@ -31,16 +30,13 @@ Vec2 near_image(const Vec2& uv, Wrap wrap) {
 
 Vec3 nearest(const Image& image, const Vec2& uv, Wrap wrap) {
     [[maybe_unused]] const Vec2 near = near_image(uv, wrap);
-    // 11.2  Return the texel in which `near` lies. A conversion to a whole number rounds towards 0;
-    // std::floor rounds down.
+    // 11.2  Return the texel in which `near` lies, on either side of 0.
     return todo("11.2");
 }
 
 Vec3 bilinear(const Image& image, const Vec2& uv, Wrap wrap) {
     [[maybe_unused]] const Vec2 near = near_image(uv, wrap);
-    // 11.2  Measure `near` in texels, from the centre of the texel in column 0 and row 0. Its whole
-    // part is the texel down to the left, and the rest says how far it is from there to the next. Mix each of
-    // the two rows, and then both.
+    // 11.2  Return the mixture of the four texels whose centres are around `near`.
     return todo("11.2");
 }
 

@@ -20,37 +20,35 @@ namespace {
 }  // namespace
 
 Real ggx_density(Real alpha, const Vec3& h) {
-    // 11.14  D. The sine is in h.x and h.y: 1 − h.z² would have lost it where it is small.
-    return todo("11.14");
+    // 11.16  Return D, with all its digits also where θ is tiny.
+    return todo("11.16");
 }
 
 Real smith_g1(Real alpha, const Vec3& w) {
-    // 11.14  The part of the facets turned to w that w can see.
-    return todo("11.14");
+    // 11.16  Which part of the facets turned to w can w see?
+    return todo("11.16");
 }
 
 Vec3 visible_normal(Real alpha, const Vec3& v, Real a, Real b) {
-    // 11.14  Heitz's method: squeeze the facets by α along the surface and they are those of a
-    // hemisphere, seen from v squeezed in the same way. A point of its outline is on a half disc towards the
-    // viewer and a half ellipse; the normal there, squeezed again, is the answer.
-    return todo("11.14");
+    // 11.17  Return a facet that is seen from v, by Heitz's method.
+    return todo("11.17");
 }
 
 Vec3 evaluate(const RoughMetal& metal, const Vec3& to_light, const Vec3& to_viewer) {
-    // 11.14  F·D·G₁(l)·G₁(v)/(4·l.z·v.z), with the facet's normal halfway between l and v.
-    return todo("11.14");
+    // 11.16  Return the lobe of rough metal, or 0 if one of the directions is not above the
+    // surface.
+    return todo("11.16");
 }
 
 Real pdf(const RoughMetal& metal, const Vec3& to_light, const Vec3& to_viewer) {
-    // 11.14  The density of the facet's normal, G₁(v)·(v·h)·D(h)/v.z, and 1/(4·v·h), because
-    // directions mirrored by facets are spread more widely than the facets' normals.
-    return todo("11.14");
+    // 11.16  Return the density of directions that visible facets mirror to v; 0 as in evaluate.
+    return todo("11.16");
 }
 
 std::optional<LobeSample> sample(const RoughMetal& metal, const Vec3& to_viewer, const Vec3& random) {
-    // 11.14  A facet that the viewer sees, and the light that it mirrors to him. Of f·cos/pdf there
-    // remains F·G₁(l).
-    return todo("11.14");
+    // 11.17  Draw a facet that the viewer sees, and return the light that it mirrors to him. What
+    // is left of f·cos/pdf?
+    return todo("11.17");
 }
 
 }  // namespace rt

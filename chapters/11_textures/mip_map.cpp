@@ -39,15 +39,15 @@ Image halved(const Image& image) {
 
 MipMap mip_map(Image image) {
     MipMap map{{std::move(image)}};
-    // 11.3  Add to map.levels, which has the image itself, the half of its last level, until that
-    // is a single texel.
+    // 11.3  Add to map.levels, which has the image itself, the smaller ones, down to a single
+    // texel.
     return todo("11.3");
     return map;
 }
 
 Vec3 trilinear(const MipMap& map, const Vec2& uv, Real width, Wrap wrap) {
-    // 11.3  Return the colour at level log₂(width·the greater side of the image), bilinear in each
-    // of the two levels around it, and mixed by what is between. Keep the level between 0 and the last.
+    // 11.3  Return the mean colour of the part of the image around uv that is `width` wide, as the
+    // pyramid knows it.
     return todo("11.3");
 }
 

@@ -37,28 +37,24 @@ Vec3 lattice_gradient(int i, int j, int k) {
 }
 
 Real fade(Real t) {
-    // 11.4  6t^5 - 15t^4 + 10t^3.
-    return todo("11.4");
+    // 11.7  Return the smooth step from 0 to 1.
+    return todo("11.7");
 }
 
 LatticeCell lattice_cell(const Vec3& p) {
-    // 11.4  Which cell of the lattice of whole numbers is p in, and where in it? The corner's
+    // 11.7  Which cell of the lattice of whole numbers is p in, and where in it? The corner's
     // coordinates are from 0 to 255, for every p: also for a negative one, and for one that no int holds.
-    return todo("11.4");
+    return todo("11.7");
 }
 
 Real noise(const Vec3& p) {
-    // 11.4  The weighted mean of what the eight corners of the cell say. A corner says
-    // dot(lattice_gradient, way from the corner to p). Its weight is the product of three numbers, one for
-    // each axis: fade(offset) for the corners on the upper side, 1 - fade(offset) for those on the lower.
-    return todo("11.4");
+    // 11.7  Return the weighted mean of what the eight corners of p's cell say.
+    return todo("11.7");
 }
 
 Vec3 noise_gradient(const Vec3& p) {
-    // 11.4  The derivative of noise by p: of each corner's weight times what it says, by the
-    // product rule. A corner's word changes by its lattice_gradient; a weight by the derivative of fade along
-    // one axis, 30t^4 - 60t^3 + 30t^2, times the weights of the other two.
-    return todo("11.4");
+    // 11.10  Return the derivatives of noise by x, y and z at p.
+    return todo("11.10");
 }
 
 Real turbulence(const Vec3& p, int octaves) {

@@ -35,22 +35,22 @@ struct LatticeCell {
 /// have the same gradient. Given.
 Vec3 lattice_gradient(int i, int j, int k);
 
-/// [11.4] The smooth step from 0 to 1: 6t^5 - 15t^4 + 10t^3 for t in [0, 1], to 200u. Its first two
+/// [11.7] The smooth step from 0 to 1: 6t^5 - 15t^4 + 10t^3 for t in [0, 1], to 200u. Its first two
 /// derivatives are 0 at both ends (Perlin 2002).
 Real fade(Real t);
 
-/// [11.4] The cell that p is in, for any finite p. corner + offset is p but for a multiple of 256, and for
+/// [11.7] The cell that p is in, for any finite p. corner + offset is p but for a multiple of 256, and for
 /// 2^-53 in each coordinate: a p just below a whole number may have the offset 1. From 2^53 on every p is
 /// whole.
 LatticeCell lattice_cell(const Vec3& p);
 
-/// [11.4] Perlin's improved noise (2002) at p. Each corner of p's cell says what its lattice_gradient would
+/// [11.7] Perlin's improved noise (2002) at p. Each corner of p's cell says what its lattice_gradient would
 /// make of the way from the corner to p; the mean of the eight is weighted along each axis by fade. So it is
 /// 0 at the points of the lattice, and repeats after 256 along each axis. For any finite p; in [-1.04, 1.04];
 /// to 2500u.
 Real noise(const Vec3& p);
 
-/// [11.4] The gradient of noise at p: its derivatives by x, y and z, by formula and not by differences. At a
+/// [11.10] The gradient of noise at p: its derivatives by x, y and z, by formula and not by differences. At a
 /// point of the lattice it is the lattice_gradient. For any finite p; to 25000u.
 Vec3 noise_gradient(const Vec3& p);
 

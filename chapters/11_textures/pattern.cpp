@@ -11,30 +11,29 @@
 namespace rt {
 
 Real stripe_value(const Vec3& q) {
-    // 11.5  0 or 1: in which of the slices between whole numbers is x, one that is even or odd?
-    return todo("11.5");
+    // 11.8  0 or 1: in which of the slices between whole numbers is x, one that is even or odd?
+    return todo("11.8");
 }
 
 Real ring_value(const Vec3& q) {
-    // 11.5  As stripes, but of the distance from the y axis.
-    return todo("11.5");
+    // 11.8  The same of the distance from the y axis.
+    return todo("11.8");
 }
 
 Real gradient_value(const Vec3& q) {
-    // 11.5  How far is y above the whole number below it?
-    return todo("11.5");
+    // 11.8  How far is y above the whole number below it?
+    return todo("11.8");
 }
 
 Real marble_value(const Vec3& q) {
-    // 11.5  (1 + sin(pi * s))/2 with s = x + 4 * turbulence(q/4, 6). A sine repeats when s grows by
-    // 2: take what is too much from x first, while that is exact.
-    return todo("11.5");
+    // 11.8  (1 + sin(pi * s))/2 with s = x + 4 * turbulence(q/4, 6), right also where x is huge.
+    return todo("11.8");
 }
 
 Real wood_value(const Vec3& q) {
-    // 11.5  Add twice the noise at q/8 to the distance from the y axis. How far is that above the
-    // whole number below it?
-    return todo("11.5");
+    // 11.8  How far is the distance from the y axis, and twice the noise at q/8, above the whole
+    // number below their sum?
+    return todo("11.8");
 }
 
 Real pattern_value(PatternKind kind, const Vec3& q) {
@@ -58,9 +57,8 @@ Real pattern_value(PatternKind kind, const Vec3& q) {
 }
 
 Vec3 pattern_color(const SolidPattern& pattern, const Vec3& point) {
-    // 11.5  The pattern's value at the point, in units of its size; then the two colours, each
-    // times what it has of the mixture.
-    return todo("11.5");
+    // 11.8  Return the two colours, mixed by the pattern's value at the point.
+    return todo("11.8");
 }
 
 }  // namespace rt

@@ -28,28 +28,26 @@ namespace {
 }  // namespace
 
 std::optional<Vec3> glass_facet(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_viewer) {
-    // 11.15  The normal, turned upwards where the facet mirrors below the surface. Is each
-    // direction on the side of the facet on which it is of the surface?
-    return todo("11.15");
+    // 11.18  Return the facet's normal, turned upwards. Is each direction on the side of the facet
+    // on which it is of the surface?
+    return todo("11.18");
 }
 
 Real pdf(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_viewer) {
-    // 11.15  The density of visible facets without their v·h, times the part that goes this way,
-    // times how much denser facets are than directions: 1/4 where mirrored, and where let through
-    // n_l²·|l·h|·|v·h|/s².
-    return todo("11.15");
+    // 11.18  Return the density of directions that visible facets mirror or bend to v; 0 where
+    // there is no facet.
+    return todo("11.18");
 }
 
 Vec3 evaluate(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_viewer) {
-    // 11.15  color·pdf·G₁(l)/|l.z|, or 0 where there is no facet.
-    return todo("11.15");
+    // 11.18  Return the lobe; 0 where there is no facet.
+    return todo("11.18");
 }
 
 std::optional<LobeSample> sample(const RoughGlass& glass, const Vec3& to_viewer, const Vec3& random) {
-    // 11.15  A facet that the viewer sees; from below it is one that is seen from the direction
-    // opposite to his. It mirrors or lets through, as random.z decides; pdf says 0 if that leads to the wrong
-    // side.
-    return todo("11.15");
+    // 11.19  Draw a facet that the viewer sees, whichever side he is on; let random.z decide
+    // whether it mirrors or lets through. Return nothing where the light is on the wrong side.
+    return todo("11.19");
 }
 
 }  // namespace rt

@@ -11,29 +11,29 @@
 namespace rt {
 
 Real velvet_density(Real sigma, const Vec3& h) {
-    // 11.16  D. Near the z axis the exponential is 0 long before sin⁴θ is: that is asked first.
-    return todo("11.16");
+    // 11.20  Return D, which is 0 where the facet lies flat.
+    return todo("11.20");
 }
 
 Real cavity_g1(const Vec3& w, const Vec3& h) {
-    // 11.16  The part of the facet that its partner leaves to w.
-    return todo("11.16");
+    // 11.20  The part of the facet that its partner leaves to w.
+    return todo("11.20");
 }
 
 Vec3 evaluate(const Velvet& velvet, const Vec3& to_light, const Vec3& to_viewer) {
-    // 11.16  color·D·G/(4·l.z·v.z), with the facet's normal halfway between l and v.
-    return todo("11.16");
+    // 11.20  Return the lobe of velvet, or 0 if one of the directions is not above the surface.
+    return todo("11.20");
 }
 
 Real pdf(const Velvet& velvet, const Vec3& to_light, const Vec3& to_viewer) {
-    // 11.16  The density of directions that visible facets mirror to v.
-    return todo("11.16");
+    // 11.20  Return the density of directions that visible facets mirror to v; 0 as in evaluate.
+    return todo("11.20");
 }
 
 std::optional<LobeSample> sample(const Velvet& velvet, const Vec3& to_viewer, const Vec3& random) {
-    // 11.16  A facet with the density D·cosθ: cot²θ is −σ²·ln(1 − random.x). Then it or its
-    // partner, as random.z decides, and the light that it mirrors to v.
-    return todo("11.16");
+    // 11.21  Draw a facet with the density D·cosθ, let random.z choose it or its partner as the
+    // viewer sees them, and return the light that the chosen one mirrors to him.
+    return todo("11.21");
 }
 
 }  // namespace rt

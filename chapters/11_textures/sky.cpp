@@ -11,20 +11,19 @@
 namespace rt {
 
 Vec2 sky_uv(SkyMap map, const Vec3& direction) {
-    // 11.8  Where does a picture of this layout show the direction? The direction may have any
-    // length, and every angle must be right, however close to the poles, the middle or the rim. A power of
-    // two loses no digit, and squares of huge and tiny coordinates no longer matter.
-    return todo("11.8");
+    // 11.4  Where does a picture of this layout show the direction? The direction may have any
+    // length, and every angle must be right, however close to the poles, the middle or the rim.
+    return todo("11.4");
 }
 
 std::optional<Vec3> sky_direction(SkyMap map, const Vec2& uv) {
-    // 11.8  Which unit direction does the picture show at uv? It is nothing outside of the disc.
-    return todo("11.8");
+    // 11.5  Which unit direction does the picture show at uv? It is nothing outside of the disc.
+    return todo("11.5");
 }
 
 Vec3 gradient_color(const GradientSky& sky, const Vec3& direction) {
-    // 11.8  Mix the horizon's colour with the zenith's or the nadir's by the direction's height.
-    return todo("11.8");
+    // 11.4  Which mixture of the horizon's colour with another is seen at the direction's height?
+    return todo("11.4");
 }
 
 Vec3 turned(const Vec3& direction, const Turn& turn) {

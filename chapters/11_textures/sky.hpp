@@ -8,7 +8,7 @@
 
 namespace rt {
 
-/// [11.8] Where a picture of this layout shows the direction (x, y, z): u from 0 at the left to 1 at the
+/// [11.4] Where a picture of this layout shows the direction (x, y, z): u from 0 at the left to 1 at the
 /// right, v from 0 at the bottom to 1 at the top. The direction may have any length but 0.
 ///
 /// LatitudeLongitude: u is the longitude, which grows from x towards z, as a share of the full turn, and v is
@@ -27,13 +27,13 @@ namespace rt {
 /// Within 16u of the exact place, whatever the angle; at the six axis directions within u. Never NaN.
 Vec2 sky_uv(SkyMap map, const Vec3& direction);
 
-/// [11.8] The unit direction that a picture of this layout shows at uv, which is in [0, 1]²; nothing outside
+/// [11.5] The unit direction that a picture of this layout shows at uv, which is in [0, 1]²; nothing outside
 /// of the disc of a MirrorBall or Angular map. Its rim belongs to it; within 4u of the rim either answer will
 /// do. Each coordinate is within 8u of the direction of a place at most 16u away from uv, and the length is 1
 /// within 8u. Never NaN.
 std::optional<Vec3> sky_direction(SkyMap map, const Vec2& uv);
 
-/// [11.8] The colour of the gradient in a direction of any length but 0. With y for the direction's height at
+/// [11.4] The colour of the gradient in a direction of any length but 0. With y for the direction's height at
 /// length 1, it is horizon + (zenith − horizon)·y above the horizon, and horizon + (nadir − horizon)·(−y)
 /// below. Within 8u of the greatest of the colours' sizes.
 Vec3 gradient_color(const GradientSky& sky, const Vec3& direction);

@@ -78,8 +78,8 @@ const Makers all_hits{"04", "09", "12/motion.cpp"};
 /// The steps of the lobe of a finish.
 Makers makers_of_lobe(const ordered_json& ray) {
     static const std::map<std::string, std::string> steps{
-        {"matte", "11.13"}, {"metal", "11.14"}, {"glass", "11.15"}, {"velvet", "11.16"}, {"coated", "11.17"}};
-    return {steps.at(ray["finish"]["kind"].get<std::string>()), "11.14"};
+        {"matte", "11.15"}, {"metal", "11.16"}, {"glass", "11.18"}, {"velvet", "11.20"}, {"coated", "11.22"}};
+    return {steps.at(ray["finish"]["kind"].get<std::string>()), "11.16"};
 }
 
 /// Where a ray leads that a hit sends on.
@@ -88,7 +88,7 @@ Makers makers_of_direction(const ordered_json& rays, const ordered_json& ray) {
     if (kind == "camera") return {"01/camera.cpp", "12/lens.cpp"};
     const ordered_json& parent = rays[ray["parent"].get<std::size_t>()];
     const bool is_mirrored = kind == "reflection";
-    if (parent.contains("facets")) return {"11.14", "11.15", "12/distributed.cpp"};
+    if (parent.contains("facets")) return {"11.17", "11.19", "12/distributed.cpp"};
     if (parent.contains(is_mirrored ? "gloss" : "translucency"))
         return {"12/glossy.cpp", "12/distributed.cpp"};
     return {is_mirrored ? "07.1" : "07.2", "07.5"};
@@ -196,9 +196,9 @@ std::optional<TraceDifference> difference_of_ways(const ordered_json& rays, cons
     }
     const Makers surface = makers_of_surface(shape_of(b));
     if (differ("point")) return found("point", "point", surface);
-    if (differ("normal")) return found("normal", "normal", surface + Makers{"11.7"});
+    if (differ("normal")) return found("normal", "normal", surface + Makers{"11.11"});
     if (differ("arriving_weight")) return found("arriving_weight", "weight after absorption", {"07.4"});
-    if (differ("skylight")) return found("skylight", "light from the sky", {"11.8", "11.9"});
+    if (differ("skylight")) return found("skylight", "light from the sky", {"11.5", "11.6"});
     return std::nullopt;
 }
 
@@ -260,7 +260,7 @@ std::optional<TraceDifference> difference_of_lights(const ordered_json& a, const
     if (!same(a["local"], b["local"])) {
         const bool is_hit = b["hit"].get<bool>();
         return TraceDifference{i, is_hit ? "radiance of the hit" : "background", text(a["local"]),
-                               text(b["local"]), is_hit ? Makers{"05.5", "11"} : Makers{"11.8"}};
+                               text(b["local"]), is_hit ? Makers{"05.5", "11"} : Makers{"11.4"}};
     }
     return std::nullopt;
 }

@@ -19,7 +19,7 @@ std::vector<Branch> spread_branches(const World& world, const Branch& incoming, 
                                     const Surface& surface, const Material& material, Stream& stream);
 
 /// Radiance along a camera ray, as `distributed` of chapter 12 has it (12.20); but where `facet_alpha` is
-/// greater than 0, a ray meets a random facet of the surface, one of those that are seen (11.14), and goes on
+/// greater than 0, a ray meets a random facet of the surface, one of those that are seen (11.17), and goes on
 /// as at a smooth surface with the facet's normal: so mirrors, and glass with Fresnel's part of the facet
 /// (Walter and others 2007). Of what goes on, the part counts that no other facet hides; what would leave on
 /// the wrong side met a second facet, and is lost.

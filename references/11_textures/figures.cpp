@@ -12,6 +12,7 @@
 #include "chapters/11_textures/sky.hpp"
 #include "chapters/11_textures/texture_coordinates.hpp"
 #include "common/image/compare.hpp"
+#include "references/11_textures/labels.hpp"
 #include "references/11_textures/lobe_figures.hpp"
 #include "references/11_textures/texture_pictures.hpp"
 #include "tests/support.hpp"
@@ -104,6 +105,10 @@ Image levels() {
                 pixel(all, left + x, all.height - level.height + y) = pixel(level, x, y);
         left += level.width + 5;
     }
+    all = with_band(all);
+    left = 0;
+    for (std::size_t k = 0; k < 5; left += map.levels[k].width + 5, ++k)
+        write_words(all, left + map.levels[k].width / 2, map.levels[0].height + 5, std::to_string(k));
     return all;
 }
 
@@ -121,12 +126,48 @@ Image slice(Real size, ValueAt value_at) {
 
 Image slices() {
     const auto of = [](PatternKind kind) { return [kind](const Vec3& p) { return pattern_value(kind, p); }; };
-    return in_rows({slice(8, [](const Vec3& p) { return 0.5 + 0.5 * noise(p); }),
-                    slice(4, [](const Vec3& p) { return 0.7 * turbulence(p, 6); }),
-                    slice(6, of(PatternKind::Marble)), slice(30, of(PatternKind::Wood)),
-                    slice(8, [](const Vec3& p) { return 0.8 * cell_distances(p).first; }),
-                    slice(8, of(PatternKind::Cellular))},
+    return in_rows(with_words({slice(8, [](const Vec3& p) { return 0.5 + 0.5 * noise(p); }),
+                               slice(4, [](const Vec3& p) { return 0.7 * turbulence(p, 6); }),
+                               slice(6, of(PatternKind::Marble)), slice(30, of(PatternKind::Wood)),
+                               slice(8, [](const Vec3& p) { return 0.8 * cell_distances(p).first; }),
+                               slice(8, of(PatternKind::Cellular))},
+                              {"noise", "turbulence", "marble", "wood", "F1", "cells"}),
                    3);
+}
+
+/// Noise whose weights are linear in the offset.
+Real noise_without_fade(const Vec3& p) {
+    const auto [corner, offset] = lattice_cell(p);
+    Real sum = 0;
+    for (int c = 0; c < 8; ++c) {
+        const int i = c & 1, j = c >> 1 & 1, k = c >> 2;
+        const Vec3 way = offset - Vec3(i, j, k), nearness = Real(1) - glm::abs(way);
+        const Vec3 gradient = lattice_gradient(corner[0] + i, corner[1] + j, corner[2] + k);
+        sum += nearness.x * nearness.y * nearness.z * dot(gradient, way);
+    }
+    return sum;
+}
+
+/// A sheet with the heights of a function of space, in slanting light; five cells wide.
+template <class HeightAt>
+Image sheet(HeightAt height_at) {
+    const Vec3 to_light = normalize(Vec3(-1, 0.6, 0.8));
+    Image image = make_image(240, 180);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Vec3 p(x / 48.0 + 3.02, 8 - y / 48.0, 2.3), right(1e-4, 0, 0), up(0, 1e-4, 0);
+            const Vec3 gradient(height_at(p + right) - height_at(p - right),
+                                height_at(p + up) - height_at(p - up), 0);
+            const Vec3 normal = bumped(Vec3(0, 0, 1), gradient / 2e-4 * 0.7);
+            pixel(image, x, y) = Vec3(0.9, 0.86, 0.8) * std::max(dot(normal, to_light), Real(0));
+        }
+    return image;
+}
+
+Image creases() {
+    return in_rows(with_words({sheet(noise_without_fade), sheet([](const Vec3& p) { return noise(p); })},
+                              {"linear: creases", "fade: smooth"}),
+                   2);
 }
 
 // ----------------------------------------------------------------------------------------------- bumps
@@ -160,7 +201,7 @@ Image sky_maps() {
             const std::optional<Vec3> direction = sky_direction(map, {u, v});
             return direction ? sky_radiance(sky, *direction) : Vec3(1);
         }));
-    return in_rows(images, 3);
+    return in_rows(with_words(images, {"world", "light probe", "mirrored ball"}), 3);
 }
 
 /// E(n)/π as the sum over all pixels of the sky.
@@ -198,12 +239,12 @@ Image balls_under(const Image& sky) {
             pixel(images[0], x, y) = summed, pixel(images[1], x, y) = nine;
             pixel(images[2], x, y) = 8.0 * glm::abs(nine - summed);
         }
-    return in_rows(images, 3);
+    return in_rows(with_words(images, {"all pixels", "nine numbers", "error by 8"}), 3);
 }
 
 /// How wrong nine numbers are, over all normals, as a part of what arrives at most.
 std::string nine_numbers() {
-    std::string text = "sky,greatest_error,of_the_greatest_irradiance\n";
+    std::string text = "sky,greatest_error,percent_of_the_greatest_irradiance\n";
     const auto add = [&](const char* name, const Image& sky) {
         const SkyLight light = projected(sky);
         Real error = 0, most = 0;
@@ -215,7 +256,7 @@ std::string nine_numbers() {
             error = std::max(error, max_component(glm::abs(irradiance(light, n) / pi - exact)));
             most = std::max(most, max_component(exact));
         }
-        text += fmt::format("{},{:.2g},{:.1f} %\n", name, error, 100 * error / most);
+        text += fmt::format("{},{:.2g},{:.1f}\n", name, error, 100 * error / most);
     };
     add("sunset", halved(halved(sunset_picture())));
     add("gradient",
@@ -238,10 +279,11 @@ Scene horizon(TextureFilter filter, int samples, int width, int height) {
 Image picture_of(const Scene& scene) { return render(compile(scene)).image; }
 
 Image ways_to_the_horizon() {
-    return in_rows({picture_of(horizon(TextureFilter::Bilinear, 1, 280, 210)),
-                    picture_of(horizon(TextureFilter::Trilinear, 1, 280, 210)),
-                    picture_of(horizon(TextureFilter::Anisotropic, 1, 280, 210)),
-                    picture_of(horizon(TextureFilter::Bilinear, 256, 280, 210))},
+    return in_rows(with_words({picture_of(horizon(TextureFilter::Bilinear, 1, 280, 210)),
+                               picture_of(horizon(TextureFilter::Trilinear, 1, 280, 210)),
+                               picture_of(horizon(TextureFilter::Anisotropic, 1, 280, 210)),
+                               picture_of(horizon(TextureFilter::Bilinear, 256, 280, 210))},
+                              {"bilinear", "trilinear", "anisotropic", "bilinear, 256 samples"}),
                    2);
 }
 
@@ -256,7 +298,7 @@ std::string filter_errors() {
         return picture_of(scene);
     };
     const Image truth = picture_by(TextureFilter::Bilinear, 1024);
-    std::string text = "filter,samples,root_of_mean_square_error\n";
+    std::string text = "samples a pixel × filter,root of the mean square error\n";
     const auto add = [&](const char* name, TextureFilter filter, int samples) {
         const Image seen = picture_by(filter, samples);
         Real sum = 0;
@@ -264,7 +306,7 @@ std::string filter_errors() {
             const Vec3 difference = seen.pixels[i] - truth.pixels[i];
             sum += dot(difference, difference) / 3;
         }
-        text += fmt::format("{},{},{:.4f}\n", name, samples, std::sqrt(sum / (width * height)));
+        text += fmt::format("{} × {},{:.4f}\n", samples, name, std::sqrt(sum / (width * height)));
     };
     add("bilinear", TextureFilter::Bilinear, 1);
     add("bilinear", TextureFilter::Bilinear, 4);
@@ -297,15 +339,66 @@ std::string cells_missed() {
     return fmt::format("places,nearest_wrong,second_wrong\n{},{},{}\n", places, first, second);
 }
 
+// --------------------------------------------------------------------------------------- single numbers
+
+/// What the lesson says in its sentences.
+std::string numbers() {
+    std::string text = "name,value\n";
+    const auto add = [&](const char* name, const std::string& value) {
+        text += fmt::format("{},{}\n", name, value);
+    };
+    const Vec3 flat = from_normal_map(Vec3(128, 128, 255) / 255.0, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+    add("lean of a flat normal map in degrees",
+        fmt::format("{:.2f}", std::atan2(std::hypot(flat.x, flat.y), flat.z) * 180 / pi));
+
+    Scene scene = horizon(TextureFilter::Nearest, 512, 80, 60);
+    scene.sampling.seed = 1'000'000;
+    const Image truth = picture_of(scene);
+    const RenderResult seen = render(compile(horizon(TextureFilter::Anisotropic, 16, 80, 60)));
+    Real sum = 0;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        const Vec3 difference = seen.image.pixels[i] - truth.pixels[i];
+        sum += dot(difference, difference) / 3;
+    }
+    add("stated error of 16 anisotropic samples", fmt::format("{:.4f}", seen.rms_error.value_or(0)));
+    add("true error of 16 anisotropic samples",
+        fmt::format("{:.4f}", std::sqrt(sum / static_cast<Real>(truth.pixels.size()))));
+
+    const Vec3 grazing = test::at_cosine(1e-6, 25);
+    add("furnace of the lobe of 1994 at the horizon",
+        fmt::format("{:.3f}", test::sum_over(test::dome(), 512, [&](const Vec3& l) {
+                        return oren_nayar_1994(0.2, l, grazing) * l.z;
+                    })));
+    add("what a coat of index 1.5 mirrors of even light", fmt::format("{:.4f}", mean_fresnel(1.5)));
+    add("what it mirrors inside", fmt::format("{:.4f}", inner_reflectance(1.5)));
+    add("samples of each lobe", fmt::format("{}", lobe_samples));
+    add("greatest chi-square by its limit", fmt::format("{:.3f}", worst_chi_square()));
+    return text;
+}
+
 // --------------------------------------------------------------------------------------------- figures
+
+/// The four balls, and what they are made of.
+void draw_finishes(const Path& out) {
+    const Scene scene = scene_beside(__FILE__, "finishes");
+    Image image = with_band(render(compile(scene)).image);
+    const std::array<const char*, 4> words{"clay", "velvet", "metal", "paint"};
+    for (int i = 0; i < 4; ++i)
+        write_words(image, 45 + 77 * i, scene.height + 5, words[static_cast<std::size_t>(i)]);
+    write_image(out / "finishes.png", image, scene.encoding);
+}
 
 void draw_all(const Path& out) {
     draw_texture_pictures(out);
     write_image(out / "perspective.png",
-                in_rows({floor_of_two_triangles(false), floor_of_two_triangles(true)}, 2));
-    write_image(out / "between_texels.png", in_rows({magnified(false), magnified(true)}, 2));
+                in_rows(with_words({floor_of_two_triangles(false), floor_of_two_triangles(true)},
+                                   {"linear on screen: no", "on the floor: right"}),
+                        2));
+    write_image(out / "between_texels.png",
+                in_rows(with_words({magnified(false), magnified(true)}, {"nearest", "bilinear"}), 2));
     write_image(out / "levels.png", levels());
     write_image(out / "slices.png", slices());
+    write_image(out / "creases.png", creases());
     write_image(out / "sky_maps.png", sky_maps());
     write_image(
         out / "nine_numbers.png",
@@ -315,14 +408,16 @@ void draw_all(const Path& out) {
     write_file(out / "filter_errors.csv", filter_errors());
     write_file(out / "cells_missed.csv", cells_missed());
     write_file(out / "furnace.csv", furnaces());
+    write_file(out / "furnace_table.csv", furnace_table());
     write_file(out / "chi_square.csv", chi_squares());
+    write_file(out / "numbers.csv", numbers());
     write_svg(out / "furnace.svg", furnace_curves());
     write_svg(out / "lobes.svg", lobes_cut_open());
     write_image(out / "white_furnace.png", white_furnace());
     write_image(out / "ways_to_the_horizon.png", ways_to_the_horizon());
-    draw_scenes(out, __FILE__,
-                {"shapes", "globe", "patterns", "marble", "cells", "bumps", "skylight", "finishes"}, 240,
+    draw_scenes(out, __FILE__, {"shapes", "globe", "patterns", "marble", "cells", "bumps", "skylight"}, 240,
                 180);
+    draw_finishes(out);
     draw_scenes(out, __FILE__, {"evening", "horizon"});
 }
 

@@ -4,6 +4,7 @@
 
 #include "chapters/07_recursion/optics.hpp"
 #include "chapters/11_textures/lobes.hpp"
+#include "references/11_textures/labels.hpp"
 #include "references/figures.hpp"
 #include "tests/stability/lobe_charts.hpp"
 
@@ -80,19 +81,35 @@ inline std::string furnaces() {
     return text;
 }
 
-/// Pearson's χ² of samples of every lobe, beside what right samples exceed once in ten million times.
-inline std::string chi_squares() {
-    const int samples = 20000;
-    std::string text = "lobe,value,viewer_degrees,samples,classes,chi_square,limit\n";
+/// The same at three cosines, as the lesson shows it: a line a lobe.
+inline std::string furnace_table() {
+    std::string text = "lobe,cosine 1,cosine 0.5,cosine 0.1\n";
+    const std::vector<NamedLobe> lobes{matte(1),  metal(1e-4), metal(0.09), metal(0.25),
+                                       metal(1),  glass(0.25), glass(1),    velvet(0.5),
+                                       velvet(1), coated(1),   coated(0.5)};
+    for (const NamedLobe& one : lobes) {
+        text += fmt::format("{} ({} = {})", one.name, one.letter, one.value);
+        for (const Real cosine : {1.0, 0.5, 0.1})
+            text += fmt::format(",{:.4f}", returned(one.lobe, test::at_cosine(cosine, 25), 192));
+        text += '\n';
+    }
+    return text;
+}
+
+inline constexpr int lobe_samples = 20000;
+
+/// Of samples of every lobe: calls `add(lobe, the viewer's degrees, report)`.
+template <class Add>
+void compare_all_samples(Add add_report) {
     const auto add = [&](const NamedLobe& one, Real degrees) {
         const Vec3 v = test::towards(degrees, 25);
         const auto* coated = std::get_if<Coated>(&one.lobe);
-        const test::SampleReport report = test::compare_samples(
-            charts_of(one.lobe, v), [&](const Vec3& numbers) { return sample(one.lobe, v, numbers); },
-            [&](const Vec3& l) { return pdf(one.lobe, l, v); }, samples, 1118,
-            coated ? fresnel(v.z, 1 / coated->ior) : 0);
-        text += fmt::format("{},{},{},{},{},{:.1f},{:.1f}\n", one.name, one.value, degrees, samples,
-                            report.classes, report.statistic, report.limit);
+        add_report(
+            one, degrees,
+            test::compare_samples(
+                charts_of(one.lobe, v), [&](const Vec3& numbers) { return sample(one.lobe, v, numbers); },
+                [&](const Vec3& l) { return pdf(one.lobe, l, v); }, lobe_samples, 1118,
+                coated ? fresnel(v.z, 1 / coated->ior) : 0));
     };
     std::vector<NamedLobe> lobes{matte(0), matte(1), velvet(0.2), velvet(0.5), velvet(1)};
     for (const Real alpha : {1e-4, 0.01, 0.25, 1.0}) lobes.push_back(metal(alpha));
@@ -103,12 +120,30 @@ inline std::string chi_squares() {
         if (std::holds_alternative<RoughGlass>(one.lobe))
             for (const Real degrees : {105.0, 145.0, 180.0}) add(one, degrees);
     }
+}
+
+/// The greatest χ² of all, as a part of its limit.
+inline Real worst_chi_square() {
+    Real worst = 0;
+    compare_all_samples([&](const NamedLobe&, Real, const test::SampleReport& report) {
+        worst = std::max(worst, report.statistic / report.limit);
+    });
+    return worst;
+}
+
+/// Pearson's χ² of samples of every lobe, beside what right samples exceed once in ten million times.
+inline std::string chi_squares() {
+    std::string text = "lobe,value,viewer_degrees,samples,classes,chi_square,limit\n";
+    compare_all_samples([&](const NamedLobe& one, Real degrees, const test::SampleReport& report) {
+        text += fmt::format("{},{},{},{},{},{:.1f},{:.1f}\n", one.name, one.value, degrees, lobe_samples,
+                            report.classes, report.statistic, report.limit);
+    });
     return text;
 }
 
 /// Returned light against the viewer's cosine: facets on the left, the others on the right.
 inline Svg furnace_curves() {
-    Svg svg{720, 330};
+    Svg svg{720, 362};
     const auto panel = [&](Real left, const char* title,
                            const std::vector<std::pair<NamedLobe, SvgStyle>>& curves) {
         const Plot plot{{left, 40}, {270, 220}, {0, 1}, {0, 1.05}};
@@ -137,12 +172,12 @@ inline Svg furnace_curves() {
            {velvet(1), {.stroke = orange, .width = 2}},
            {velvet(0.5), {.stroke = red, .width = 2}}});
     const auto word = [&](Real x, Real y, const char* words, const char* color) {
-        text(svg, {x, y}, words, colored(small, color));
+        text(svg, {x, y}, words, colored(SvgFont{.size = 17}, color));
     };
-    word(60, 322, "α = 0.01", blue), word(135, 322, "0.25", green), word(185, 322, "0.5", orange);
-    word(230, 322, "1", red);
-    word(400, 322, "matte σ = 1", blue), word(488, 322, "paint, 1 and ½", purple);
-    word(590, 322, "velvet σ = 1", orange), word(677, 322, "½", red);
+    word(60, 328, "α = 0.01", blue), word(150, 328, "0.25", green), word(210, 328, "0.5", orange);
+    word(260, 328, "1", red);
+    word(400, 328, "matte σ = 1", blue), word(520, 328, "velvet σ = 1", orange), word(640, 328, "½", red);
+    word(400, 350, "paint of color 1, and ½ (dashes)", purple);
     return svg;
 }
 
@@ -173,9 +208,9 @@ inline Svg lobes_cut_open() {
                 if (points.empty() || length(at - points.back()) > 0.25) points.push_back(at);
             }
             polyline(svg, points, {.stroke = color, .width = 2});
-            text(svg, {left + 90, below}, fmt::format("{} = {}: at most {:.3g}", one.letter, one.value, most),
-                 colored(middle(small), color));
-            below += 20;
+            text(svg, {left + 90, below}, fmt::format("{} = {}: {:.3g}", one.letter, one.value, most),
+                 colored(middle(SvgFont{.size = 17}), color));
+            below += 22;
         }
         left += 180;
     };
@@ -215,7 +250,9 @@ inline Image white_furnace() {
     };
     add(metal(0.01)), add(metal(0.25)), add(metal(1)), add(glass(0.25));
     add(matte(1)), add(velvet(1)), add(coated(1)), add(coated(1), true);
-    return in_rows(images, 4, 0);
+    return in_rows(with_words(images, {"metal 0.01", "metal 0.25", "metal 1", "glass 0.25", "clay", "velvet",
+                                       "paint", "varnished"}),
+                   4, 0);
 }
 
 }  // namespace rt::figures

@@ -6,16 +6,15 @@
 namespace rt {
 
 Vec3 bumped(const Vec3& normal, const Vec3& height_gradient) {
-    // [exercise 11.7] Take from the normal what the gradient has along the surface; unit.
+    // [exercise 11.11] Return the unit normal of the surface that the heights make.
     const Vec3 along = height_gradient - dot(height_gradient, normal) * normal;
     return unit(normal - along);
     // [/exercise]
 }
 
 Vec3 bumped(const Vec3& normal, const Vec3& du, const Vec3& dv, Real dh_du, Real dh_dv) {
-    // [exercise 11.7] Which vector in the plane of du and dv has the products dh_du and dh_dv with them? It
-    // is the gradient. du and dv are of any length and at any angle; where they span no plane, the normal
-    // stays.
+    // [exercise 11.11] The same, where you know how the height changes along du and dv, which are of any
+    // length and at any angle. Where they span no plane, the normal stays.
     const Real a = size_of(du), b = size_of(dv);
     const Vec3 u = du / a, v = dv / b, across = cross(u, v);
     const Real sine = length(across);
@@ -34,12 +33,11 @@ Vec3 from_normal_map(const Vec3& rgb, const Vec3& du, const Vec3& dv, const Vec3
 }
 
 Vec3 kept_visible(const Vec3& shading_normal, const Vec3& geometric_normal, const Vec3& to_viewer) {
-    // [exercise 11.7] Turn both normals to the side where the viewer is as seen from the geometric one, g. A
-    // normal m of any length is good if m.v > 0 and the mirrored ray, 2 (m.v) m/(m.m) - v, has a product of
-    // at least least_rise * (g.v) with g. If the shading normal is not good, halve the way to g, where the
-    // normal is good, again and again. Turn what you have found back.
+    // [exercise 11.11] Return the shading normal if shading can use it, or else the first one on the way to
+    // the geometric normal that it can use. Both may be seen from behind.
     const Real height = dot(geometric_normal, to_viewer), turn = height < 0 ? -1 : 1;
     const Vec3 n = turn * shading_normal, g = turn * geometric_normal;
+    // A good m, of any length, shows its front and mirrors the ray to 2 (m·v) m/(m·m) − v, high enough.
     const auto is_good = [&](const Vec3& m) {
         const Real toward = dot(m, to_viewer);
         return toward > 0 && 2 * toward * dot(m, g) >= (1 + least_rise) * std::abs(height) * dot(m, m);

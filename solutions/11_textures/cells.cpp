@@ -18,12 +18,11 @@ Vec3 cell_point(const Vec3& cell) {
 }
 
 CellDistances cell_distances(const Vec3& q) {
-    // [exercise 11.6] Look through all the cubes that may have one of the two nearest points. The point in
-    // q's own cube is no farther than sqrt(3), and so is one more; so cubes up to two steps away matter, and
-    // those at three steps do not. Begin near q, and pass over a cube that is farther away as a whole than
-    // the second nearest point so far. Count from q's own cube, not from the origin: there the digits are.
+    // [exercise 11.9] Look into all the cubes that may have one of the two nearest points, and into as few
+    // others as you can. Lose no digits where q is far from the origin.
     const std::array<Real, 5> steps{0, -1, 1, -2, 2};
     const Vec3 own = glm::floor(q), place = q - own;
+    // Two points are no farther than √3, and cubes at three steps at least 2. Those near q come first.
     Real first = infinity, second = infinity;  // squares
     Vec3 nearest(0);
     for (const Real x : steps)

@@ -29,15 +29,14 @@ Real mean_fresnel(Real ior) {
 }
 
 Real inner_reflectance(Real ior) {
-    // [exercise 11.17] What comes in is what a mean over the outside lets pass. It fills directions inside
-    // that are n² times fewer, and by the same ways light gets out again: only (1 − mean_fresnel)/n² of it
-    // does.
+    // [exercise 11.22] Return the part of even light inside that does not get out. By which ways did it get
+    // in?
     return 1 - (1 - mean_fresnel(ior)) / (ior * ior);
     // [/exercise]
 }
 
 Vec3 evaluate(const Coated& coated, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 11.17] What passes inwards, meets the ground once or more often, with the coat in between,
+    // [exercise 11.22] What passes inwards, meets the ground once or more often, with the coat in between,
     // and passes outwards.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return Vec3(0);
     const Real both = passed(coated, to_light.z) * passed(coated, to_viewer.z);
@@ -47,14 +46,14 @@ Vec3 evaluate(const Coated& coated, const Vec3& to_light, const Vec3& to_viewer)
 }
 
 Real pdf(const Coated& coated, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 11.17] The density of cosine_direction, times the probability that the ground is chosen.
+    // [exercise 11.22] Return the density of the directions that sample draws for the ground.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return 0;
     return passed(coated, to_viewer.z) * to_light.z / pi;
     // [/exercise]
 }
 
 std::optional<LobeSample> sample(const Coated& coated, const Vec3& to_viewer, const Vec3& random) {
-    // [exercise 11.17] The mirror or the ground, as random.z decides.
+    // [exercise 11.22] The mirror or the ground, as random.z decides.
     if (!(to_viewer.z > 0)) return std::nullopt;
     const Real through = passed(coated, to_viewer.z);
     if (random.z < 1 - through)

@@ -9,9 +9,8 @@
 namespace rt {
 
 RayDifferential camera_differential(const View& view, Real x, Real y) {
-    // [exercise 11.10] Say how pixel_ray changes with x and with y. In the picture, a grows by the size k of
-    // a pixel with each x, and b shrinks by k with each y. In an orthographic view that moves the origin. In
-    // perspective it changes g = a·u + b·v − w, and so the unit vector g/|g|.
+    // [exercise 11.12] Say how pixel_ray changes with x and with y, in an orthographic view and in
+    // perspective.
     const auto& [u, v, w] = view.frame;
     const Real k = 2 * view.half_height / view.height;
     if (view.projection == Projection::Orthographic) return {.origin_dx = k * u, .origin_dy = -k * v};
@@ -26,9 +25,8 @@ RayDifferential camera_differential(const View& view, Real x, Real y) {
 }
 
 RayDifferential transferred(const RayDifferential& differential, const Ray& ray, Real t, const Vec3& normal) {
-    // [exercise 11.10] At the distance t the neighbouring ray has moved by dp + t·dd. That is not on the
-    // tangent plane yet: slide it along d until it is perpendicular to the normal. Divide by no cosine that
-    // is smaller in size than least_cosine.
+    // [exercise 11.12] How far from yours does the neighbouring ray meet the tangent plane? Divide by no
+    // cosine that is smaller in size than least_cosine.
     const Real cosine = dot(ray.direction, normal);
     const Real divisor = std::copysign(std::max(std::abs(cosine), least_cosine), cosine);
     const auto on_plane = [&](const Vec3& dp, const Vec3& dd) {
@@ -43,8 +41,7 @@ RayDifferential transferred(const RayDifferential& differential, const Ray& ray,
 }
 
 NormalChange normal_change(const RayDifferential& at_surface, const Vec3& normal, Real curvature) {
-    // [exercise 11.11] How does the normal tilt when the point moves by dp? On a sphere by dp/r, if dp is
-    // tangential; leave out of dp what is not.
+    // [exercise 11.13] How does the unit normal tilt when the point moves, to the right and down?
     const auto tilt = [&](const Vec3& dp) { return curvature * (dp - dot(dp, normal) * normal); };
     return {tilt(at_surface.origin_dx), tilt(at_surface.origin_dy)};
     // [/exercise]
@@ -52,8 +49,7 @@ NormalChange normal_change(const RayDifferential& at_surface, const Vec3& normal
 
 RayDifferential reflected(const RayDifferential& at_surface, const Vec3& d, const Vec3& n,
                           const NormalChange& change) {
-    // [exercise 11.11] Differentiate d − 2(d·n)n by the product rule: d and n both change. The point of the
-    // surface is where the mirrored ray starts, so the origin's change stays.
+    // [exercise 11.13] How does the mirrored ray change? d and n both do.
     const auto mirrored = [&](const Vec3& dd, const Vec3& dn) {
         const Real d_cosine = dot(dd, n) + dot(d, dn);
         return dd - 2 * dot(d, n) * dn - 2 * d_cosine * n;
@@ -65,9 +61,8 @@ RayDifferential reflected(const RayDifferential& at_surface, const Vec3& d, cons
 
 RayDifferential refracted(const RayDifferential& at_surface, const Vec3& d, const Vec3& n,
                           const NormalChange& change, Real eta) {
-    // [exercise 11.11] The direction is eta·d + μ·n with μ = eta·cosᵢ − cosₜ, cosᵢ = −d·n and
-    // cosₜ² = (1 − eta)(1 + eta) + (eta·cosᵢ)². Differentiate it: d, n and with them μ change. Divide by no
-    // cosₜ that is less than least_cosine.
+    // [exercise 11.13] How does the refracted ray change? d, n and the cosines do. Divide by no cosₜ that is
+    // less than least_cosine.
     const Real cos_i = -dot(d, n);
     const Real cos_t =
         std::sqrt(std::max((1 - eta) * (1 + eta) + eta * cos_i * eta * cos_i, least_cosine * least_cosine));

@@ -7,9 +7,8 @@
 namespace rt {
 
 Footprint footprint(const Vec3& du, const Vec3& dv, const Vec3& dp_dx, const Vec3& dp_dy) {
-    // [exercise 11.12] Find a and b for which a·du + b·dv is nearest to dp. With N = du × dv, the cross
-    // product of that equation with dv, dotted with N, has a alone on one side; with du, it has b. Return a
-    // footprint of 0 where N is so short that the sine of the angle is less than least_sine.
+    // [exercise 11.14] For either dp, find a and b for which a·du + b·dv is nearest to it. Return a footprint
+    // of 0 where the sine of the angle between du and dv is less than least_sine.
     const Vec3 n = cross(du, dv);
     const Real n2 = dot(n, n);
     if (!(n2 > least_sine * least_sine * dot(du, du) * dot(dv, dv))) return {};
@@ -45,9 +44,8 @@ Real width_of(const MipMap& map, Real texels) {
 }
 
 Vec3 anisotropic(const MipMap& map, const Vec2& uv, const Footprint& footprint, Wrap wrap, int most_probes) {
-    // [exercise 11.12] Take the ellipse, in texels of the finest level. How wide are the probes, how many are
-    // there, and how much does each weigh? The k-th is at uv + k·w along the major axis, in texels, too,
-    // which are 1/width and 1/height in uv. Return the weighted mean of what trilinear sees there.
+    // [exercise 11.14] Return the mean over the ellipse by probes along its major axis. How wide are they,
+    // how many are there, and how much does each weigh?
     const Vec2 size(map.levels.front().width, map.levels.front().height);
     const Ellipse seen = ellipse(footprint, size);
     const int pairs = (most_probes - 1) / 2;

@@ -10,7 +10,7 @@
 namespace rt {
 
 std::array<Real, 9> harmonics(const Vec3& d) {
-    // [exercise 11.9] The values at d of the nine harmonics that the contract lists, in that order.
+    // [exercise 11.6] The values at d of the nine harmonics that the contract lists, in that order.
     const Real c0 = std::sqrt(1 / pi) / 2, c1 = std::sqrt(3 / pi) / 2, c2 = std::sqrt(15 / pi) / 2;
     const Real along = std::sqrt(5 / pi) / 4 * (3 * d.z * d.z - 1);
     const Real across = c2 / 2 * (d.x - d.y) * (d.x + d.y);
@@ -19,7 +19,7 @@ std::array<Real, 9> harmonics(const Vec3& d) {
 }
 
 SkyLight projected(const Image& picture) {
-    // [exercise 11.9] Sum up what each pixel gives: radiance times harmonic in its middle times solid angle.
+    // [exercise 11.6] For each of the nine harmonics, sum up what the pixels give.
     SkyLight light;
     const Real column = 2 * pi / picture.width, row = pi / picture.height;
     for (int j = 0; j < picture.height; ++j) {
@@ -27,8 +27,8 @@ SkyLight projected(const Image& picture) {
         const Real upper = pi / 2 - j * row, middle = upper - row / 2;
         const Real angle = column * (std::sin(upper) - std::sin(upper - row));
         for (int i = 0; i < picture.width; ++i) {
-            const Real phi = (i + 0.5) * column, level = std::cos(middle);
-            const auto y = harmonics({level * std::cos(phi), std::sin(middle), level * std::sin(phi)});
+            const Real theta = (i + 0.5) * column, level = std::cos(middle);
+            const auto y = harmonics({level * std::cos(theta), std::sin(middle), level * std::sin(theta)});
             for (std::size_t k = 0; k < 9; ++k) light.coefficients[k] += angle * y[k] * pixel(picture, i, j);
         }
     }
@@ -37,7 +37,7 @@ SkyLight projected(const Image& picture) {
 }
 
 Vec3 irradiance(const SkyLight& light, const Vec3& normal) {
-    // [exercise 11.9] Weigh each band of harmonics by what the cosine leaves of it. No light is negative.
+    // [exercise 11.6] How much light arrives, as far as the nine numbers know? No light is negative.
     const auto y = harmonics(normal);
     Vec3 sum = pi * y[0] * light.coefficients[0];
     for (std::size_t k = 1; k < 4; ++k) sum += 2 * pi / 3 * y[k] * light.coefficients[k];

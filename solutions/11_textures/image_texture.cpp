@@ -10,7 +10,7 @@ namespace rt {
 
 int wrapped(std::int64_t i, int size, Wrap wrap) {
     // [exercise 11.2] Return the texel that stands at place i, as the three rows in image_texture.hpp show. i
-    // may be negative, and % then leaves a negative remainder.
+    // may be negative.
     if (0 <= i && i < size) return static_cast<int>(i);  // as a rule; the remainders take long
     if (wrap == Wrap::Clamp) return static_cast<int>(std::clamp<std::int64_t>(i, 0, size - 1));
     // The mirrored row is a row of twice as many that repeats.
@@ -21,8 +21,7 @@ int wrapped(std::int64_t i, int size, Wrap wrap) {
 }
 
 Vec3 texel(const Image& image, std::int64_t column, std::int64_t row, Wrap wrap) {
-    // [exercise 11.2] Return the pixel in this column and this row. `row` counts from the bottom, and the
-    // rows of an image count from the top.
+    // [exercise 11.2] Return the pixel in this column and this row. `row` counts from the bottom.
     const int x = wrapped(column, image.width, wrap), y = wrapped(row, image.height, wrap);
     return pixel(image, x, image.height - 1 - y);
     // [/exercise]
@@ -37,8 +36,7 @@ Vec2 near_image(const Vec2& uv, Wrap wrap) {
 
 Vec3 nearest(const Image& image, const Vec2& uv, Wrap wrap) {
     [[maybe_unused]] const Vec2 near = near_image(uv, wrap);
-    // [exercise 11.2] Return the texel in which `near` lies. A conversion to a whole number rounds towards 0;
-    // std::floor rounds down.
+    // [exercise 11.2] Return the texel in which `near` lies, on either side of 0.
     const Real column = std::floor(near.x * image.width), row = std::floor(near.y * image.height);
     return texel(image, static_cast<std::int64_t>(column), static_cast<std::int64_t>(row), wrap);
     // [/exercise]
@@ -46,9 +44,7 @@ Vec3 nearest(const Image& image, const Vec2& uv, Wrap wrap) {
 
 Vec3 bilinear(const Image& image, const Vec2& uv, Wrap wrap) {
     [[maybe_unused]] const Vec2 near = near_image(uv, wrap);
-    // [exercise 11.2] Measure `near` in texels, from the centre of the texel in column 0 and row 0. Its whole
-    // part is the texel down to the left, and the rest says how far it is from there to the next. Mix each of
-    // the two rows, and then both.
+    // [exercise 11.2] Return the mixture of the four texels whose centres are around `near`.
     const Vec2 at = near * Vec2(image.width, image.height) - 0.5, whole = floor(at), rest = at - whole;
     const auto i = static_cast<std::int64_t>(whole.x), j = static_cast<std::int64_t>(whole.y);
     const Vec3 low = glm::mix(texel(image, i, j, wrap), texel(image, i + 1, j, wrap), rest.x);

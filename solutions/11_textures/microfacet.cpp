@@ -18,8 +18,9 @@ namespace {
 }  // namespace
 
 Real ggx_density(Real alpha, const Vec3& h) {
-    // [exercise 11.14] D. The sine is in h.x and h.y: 1 − h.z² would have lost it where it is small.
+    // [exercise 11.16] Return D, with all its digits also where θ is tiny.
     if (!(h.z > 0)) return 0;
+    // The sine is in h.x and h.y: 1 − h.z² would have lost it where it is small.
     const Real spread = alpha * alpha * h.z * h.z + (h.x * h.x + h.y * h.y);
     // In this order α²/spread² does not leave the range of numbers.
     const Real ratio = alpha / spread;
@@ -28,16 +29,14 @@ Real ggx_density(Real alpha, const Vec3& h) {
 }
 
 Real smith_g1(Real alpha, const Vec3& w) {
-    // [exercise 11.14] The part of the facets turned to w that w can see.
+    // [exercise 11.16] Which part of the facets turned to w can w see?
     if (!(w.z > 0)) return 0;
     return 2 * w.z / (w.z + std::hypot(w.z, alpha * std::hypot(w.x, w.y)));
     // [/exercise]
 }
 
 Vec3 visible_normal(Real alpha, const Vec3& v, Real a, Real b) {
-    // [exercise 11.14] Heitz's method: squeeze the facets by α along the surface and they are those of a
-    // hemisphere, seen from v squeezed in the same way. A point of its outline is on a half disc towards the
-    // viewer and a half ellipse; the normal there, squeezed again, is the answer.
+    // [exercise 11.17] Return a facet that is seen from v, by Heitz's method.
     const Vec3 seen = normalize(Vec3(alpha * v.x, alpha * v.y, v.z));
     const Real flat = std::hypot(seen.x, seen.y);
     const Vec3 across = flat > 0 ? Vec3(-seen.y, seen.x, 0) / flat : Vec3(1, 0, 0);
@@ -52,7 +51,8 @@ Vec3 visible_normal(Real alpha, const Vec3& v, Real a, Real b) {
 }
 
 Vec3 evaluate(const RoughMetal& metal, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 11.14] F·D·G₁(l)·G₁(v)/(4·l.z·v.z), with the facet's normal halfway between l and v.
+    // [exercise 11.16] Return the lobe of rough metal, or 0 if one of the directions is not above the
+    // surface.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return Vec3(0);
     const Real alpha = ggx_alpha(metal.roughness);
     const Vec3 h = normalize(to_light + to_viewer);
@@ -62,8 +62,7 @@ Vec3 evaluate(const RoughMetal& metal, const Vec3& to_light, const Vec3& to_view
 }
 
 Real pdf(const RoughMetal& metal, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 11.14] The density of the facet's normal, G₁(v)·(v·h)·D(h)/v.z, and 1/(4·v·h), because
-    // directions mirrored by facets are spread more widely than the facets' normals.
+    // [exercise 11.16] Return the density of directions that visible facets mirror to v; 0 as in evaluate.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return 0;
     const Real alpha = ggx_alpha(metal.roughness);
     const Vec3 h = normalize(to_light + to_viewer);
@@ -72,8 +71,8 @@ Real pdf(const RoughMetal& metal, const Vec3& to_light, const Vec3& to_viewer) {
 }
 
 std::optional<LobeSample> sample(const RoughMetal& metal, const Vec3& to_viewer, const Vec3& random) {
-    // [exercise 11.14] A facet that the viewer sees, and the light that it mirrors to him. Of f·cos/pdf there
-    // remains F·G₁(l).
+    // [exercise 11.17] Draw a facet that the viewer sees, and return the light that it mirrors to him. What
+    // is left of f·cos/pdf?
     if (!(to_viewer.z > 0)) return std::nullopt;
     const Real alpha = ggx_alpha(metal.roughness);
     const Vec3 h = visible_normal(alpha, to_viewer, random.x, random.y);

@@ -42,8 +42,8 @@ Image halved(const Image& image) {
 
 MipMap mip_map(Image image) {
     MipMap map{{std::move(image)}};
-    // [exercise 11.3] Add to map.levels, which has the image itself, the half of its last level, until that
-    // is a single texel.
+    // [exercise 11.3] Add to map.levels, which has the image itself, the smaller ones, down to a single
+    // texel.
     while (map.levels.back().width > 1 || map.levels.back().height > 1)
         map.levels.push_back(halved(map.levels.back()));
     // [/exercise]
@@ -51,8 +51,8 @@ MipMap mip_map(Image image) {
 }
 
 Vec3 trilinear(const MipMap& map, const Vec2& uv, Real width, Wrap wrap) {
-    // [exercise 11.3] Return the colour at level log₂(width·the greater side of the image), bilinear in each
-    // of the two levels around it, and mixed by what is between. Keep the level between 0 and the last.
+    // [exercise 11.3] Return the mean colour of the part of the image around uv that is `width` wide, as the
+    // pyramid knows it.
     const Image& image = map.levels.front();
     const Real last = static_cast<Real>(map.levels.size() - 1);
     const Real level = std::clamp(std::log2(width * std::max(image.width, image.height)), Real(0), last);

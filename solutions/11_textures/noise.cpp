@@ -35,13 +35,13 @@ Vec3 lattice_gradient(int i, int j, int k) {
 }
 
 Real fade(Real t) {
-    // [exercise 11.4] 6t^5 - 15t^4 + 10t^3.
+    // [exercise 11.7] Return the smooth step from 0 to 1.
     return t * t * t * (10 + t * (6 * t - 15));
     // [/exercise]
 }
 
 LatticeCell lattice_cell(const Vec3& p) {
-    // [exercise 11.4] Which cell of the lattice of whole numbers is p in, and where in it? The corner's
+    // [exercise 11.7] Which cell of the lattice of whole numbers is p in, and where in it? The corner's
     // coordinates are from 0 to 255, for every p: also for a negative one, and for one that no int holds.
     const Vec3 whole = glm::floor(p);
     LatticeCell cell{.offset = p - whole};
@@ -55,9 +55,7 @@ LatticeCell lattice_cell(const Vec3& p) {
 }
 
 Real noise(const Vec3& p) {
-    // [exercise 11.4] The weighted mean of what the eight corners of the cell say. A corner says
-    // dot(lattice_gradient, way from the corner to p). Its weight is the product of three numbers, one for
-    // each axis: fade(offset) for the corners on the upper side, 1 - fade(offset) for those on the lower.
+    // [exercise 11.7] Return the weighted mean of what the eight corners of p's cell say.
     const auto [corner, offset] = lattice_cell(p);
     const Vec3 upper(fade(offset.x), fade(offset.y), fade(offset.z));
     Real sum = 0;
@@ -72,9 +70,7 @@ Real noise(const Vec3& p) {
 }
 
 Vec3 noise_gradient(const Vec3& p) {
-    // [exercise 11.4] The derivative of noise by p: of each corner's weight times what it says, by the
-    // product rule. A corner's word changes by its lattice_gradient; a weight by the derivative of fade along
-    // one axis, 30t^4 - 60t^3 + 30t^2, times the weights of the other two.
+    // [exercise 11.10] Return the derivatives of noise by x, y and z at p.
     const auto [corner, t] = lattice_cell(p);
     const Vec3 upper(fade(t.x), fade(t.y), fade(t.z)),
         rise = Real(30) * t * t * (t - Real(1)) * (t - Real(1));

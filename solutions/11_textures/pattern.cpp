@@ -9,34 +9,33 @@
 namespace rt {
 
 Real stripe_value(const Vec3& q) {
-    // [exercise 11.5] 0 or 1: in which of the slices between whole numbers is x, one that is even or odd?
+    // [exercise 11.8] 0 or 1: in which of the slices between whole numbers is x, one that is even or odd?
     return std::fmod(std::floor(q.x), 2) == 0 ? 0 : 1;
     // [/exercise]
 }
 
 Real ring_value(const Vec3& q) {
-    // [exercise 11.5] As stripes, but of the distance from the y axis.
+    // [exercise 11.8] The same of the distance from the y axis.
     return stripe_value({std::hypot(q.x, q.z), 0, 0});
     // [/exercise]
 }
 
 Real gradient_value(const Vec3& q) {
-    // [exercise 11.5] How far is y above the whole number below it?
+    // [exercise 11.8] How far is y above the whole number below it?
     return q.y - std::floor(q.y);
     // [/exercise]
 }
 
 Real marble_value(const Vec3& q) {
-    // [exercise 11.5] (1 + sin(pi * s))/2 with s = x + 4 * turbulence(q/4, 6). A sine repeats when s grows by
-    // 2: take what is too much from x first, while that is exact.
+    // [exercise 11.8] (1 + sin(pi * s))/2 with s = x + 4 * turbulence(q/4, 6), right also where x is huge.
     const Real x = std::fmod(q.x, 2);
     return (1 + std::sin(pi * (x + 4 * turbulence(q / Real(4), 6)))) / 2;
     // [/exercise]
 }
 
 Real wood_value(const Vec3& q) {
-    // [exercise 11.5] Add twice the noise at q/8 to the distance from the y axis. How far is that above the
-    // whole number below it?
+    // [exercise 11.8] How far is the distance from the y axis, and twice the noise at q/8, above the whole
+    // number below their sum?
     const Real ring = std::hypot(q.x, q.z) + 2 * noise(q / Real(8));
     return ring - std::floor(ring);
     // [/exercise]
@@ -63,8 +62,7 @@ Real pattern_value(PatternKind kind, const Vec3& q) {
 }
 
 Vec3 pattern_color(const SolidPattern& pattern, const Vec3& point) {
-    // [exercise 11.5] The pattern's value at the point, in units of its size; then the two colours, each
-    // times what it has of the mixture.
+    // [exercise 11.8] Return the two colours, mixed by the pattern's value at the point.
     const Real value = pattern_value(pattern.kind, point / pattern.size);
     return (1 - value) * pattern.first + value * pattern.second;
     // [/exercise]

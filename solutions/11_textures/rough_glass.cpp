@@ -26,8 +26,8 @@ namespace {
 }  // namespace
 
 std::optional<Vec3> glass_facet(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 11.15] The normal, turned upwards where the facet mirrors below the surface. Is each
-    // direction on the side of the facet on which it is of the surface?
+    // [exercise 11.18] Return the facet's normal, turned upwards. Is each direction on the side of the facet
+    // on which it is of the surface?
     const bool mirrors = to_light.z * to_viewer.z > 0;
     const Vec3 sum = mirrors ? to_light + to_viewer
                              : ior_at(glass, to_light) * to_light + ior_at(glass, to_viewer) * to_viewer;
@@ -40,9 +40,8 @@ std::optional<Vec3> glass_facet(const RoughGlass& glass, const Vec3& to_light, c
 }
 
 Real pdf(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 11.15] The density of visible facets without their v·h, times the part that goes this way,
-    // times how much denser facets are than directions: 1/4 where mirrored, and where let through
-    // n_l²·|l·h|·|v·h|/s².
+    // [exercise 11.18] Return the density of directions that visible facets mirror or bend to v; 0 where
+    // there is no facet.
     const std::optional<Vec3> h = glass_facet(glass, to_light, to_viewer);
     if (!h) return 0;
     const Real facets = ggx_density(ggx_alpha(glass.roughness), *h) * seen_part(glass, to_viewer);
@@ -56,7 +55,7 @@ Real pdf(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_viewer) {
 }
 
 Vec3 evaluate(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 11.15] color·pdf·G₁(l)/|l.z|, or 0 where there is no facet.
+    // [exercise 11.18] Return the lobe; 0 where there is no facet.
     const Real density = pdf(glass, to_light, to_viewer);
     if (!(density > 0)) return Vec3(0);
     return glass.color * (density * (seen_part(glass, to_light) / std::abs(to_light.z)));
@@ -64,9 +63,8 @@ Vec3 evaluate(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_view
 }
 
 std::optional<LobeSample> sample(const RoughGlass& glass, const Vec3& to_viewer, const Vec3& random) {
-    // [exercise 11.15] A facet that the viewer sees; from below it is one that is seen from the direction
-    // opposite to his. It mirrors or lets through, as random.z decides; pdf says 0 if that leads to the wrong
-    // side.
+    // [exercise 11.19] Draw a facet that the viewer sees, whichever side he is on; let random.z decide
+    // whether it mirrors or lets through. Return nothing where the light is on the wrong side.
     if (to_viewer.z == 0) return std::nullopt;
     const Real side = to_viewer.z > 0 ? 1 : -1;
     const Vec3 h = side * visible_normal(ggx_alpha(glass.roughness), side * to_viewer, random.x, random.y);

@@ -9,7 +9,7 @@
 namespace rt {
 
 Real velvet_density(Real sigma, const Vec3& h) {
-    // [exercise 11.16] D. Near the z axis the exponential is 0 long before sin⁴θ is: that is asked first.
+    // [exercise 11.20] Return D, which is 0 where the facet lies flat.
     const Real flat = h.x * h.x + h.y * h.y, variance = sigma * sigma;
     const Real exponent = h.z * h.z / (flat * variance);
     // Written so that a NaN, of 0/0, takes this way out too. exp(−745) is the last that is not 0.
@@ -19,13 +19,13 @@ Real velvet_density(Real sigma, const Vec3& h) {
 }
 
 Real cavity_g1(const Vec3& w, const Vec3& h) {
-    // [exercise 11.16] The part of the facet that its partner leaves to w.
+    // [exercise 11.20] The part of the facet that its partner leaves to w.
     return std::min(2 * h.z * w.z / dot(w, h), Real(1));
     // [/exercise]
 }
 
 Vec3 evaluate(const Velvet& velvet, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 11.16] color·D·G/(4·l.z·v.z), with the facet's normal halfway between l and v.
+    // [exercise 11.20] Return the lobe of velvet, or 0 if one of the directions is not above the surface.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return Vec3(0);
     const Vec3 h = normalize(to_light + to_viewer);
     const Real hidden = std::min(cavity_g1(to_light, h), cavity_g1(to_viewer, h));
@@ -34,7 +34,7 @@ Vec3 evaluate(const Velvet& velvet, const Vec3& to_light, const Vec3& to_viewer)
 }
 
 Real pdf(const Velvet& velvet, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 11.16] The density of directions that visible facets mirror to v.
+    // [exercise 11.20] Return the density of directions that visible facets mirror to v; 0 as in evaluate.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return 0;
     const Vec3 h = normalize(to_light + to_viewer);
     return velvet_density(velvet_spread(velvet), h) * cavity_g1(to_viewer, h) / to_viewer.z / 4;
@@ -42,8 +42,8 @@ Real pdf(const Velvet& velvet, const Vec3& to_light, const Vec3& to_viewer) {
 }
 
 std::optional<LobeSample> sample(const Velvet& velvet, const Vec3& to_viewer, const Vec3& random) {
-    // [exercise 11.16] A facet with the density D·cosθ: cot²θ is −σ²·ln(1 − random.x). Then it or its
-    // partner, as random.z decides, and the light that it mirrors to v.
+    // [exercise 11.21] Draw a facet with the density D·cosθ, let random.z choose it or its partner as the
+    // viewer sees them, and return the light that the chosen one mirrors to him.
     if (!(to_viewer.z > 0)) return std::nullopt;
     const Real sigma = velvet_spread(velvet), phi = 2 * pi * random.y;
     const Real cotangent = sigma * std::sqrt(-std::log1p(-random.x));

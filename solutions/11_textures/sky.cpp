@@ -9,9 +9,8 @@
 namespace rt {
 
 Vec2 sky_uv(SkyMap map, const Vec3& direction) {
-    // [exercise 11.8] Where does a picture of this layout show the direction? The direction may have any
-    // length, and every angle must be right, however close to the poles, the middle or the rim. A power of
-    // two loses no digit, and squares of huge and tiny coordinates no longer matter.
+    // [exercise 11.4] Where does a picture of this layout show the direction? The direction may have any
+    // length, and every angle must be right, however close to the poles, the middle or the rim.
     const Vec3 d = near_one(direction);
     if (map == SkyMap::LatitudeLongitude) {
         const Real turns = std::atan2(d.z, d.x) / (2 * pi);
@@ -26,7 +25,7 @@ Vec2 sky_uv(SkyMap map, const Vec3& direction) {
 }
 
 std::optional<Vec3> sky_direction(SkyMap map, const Vec2& uv) {
-    // [exercise 11.8] Which unit direction does the picture show at uv? It is nothing outside of the disc.
+    // [exercise 11.5] Which unit direction does the picture show at uv? It is nothing outside of the disc.
     if (map == SkyMap::LatitudeLongitude) {
         const Real longitude = 2 * pi * uv.x, latitude = pi * (uv.y - 0.5);
         const Real level = std::cos(latitude);
@@ -46,7 +45,7 @@ std::optional<Vec3> sky_direction(SkyMap map, const Vec2& uv) {
 }
 
 Vec3 gradient_color(const GradientSky& sky, const Vec3& direction) {
-    // [exercise 11.8] Mix the horizon's colour with the zenith's or the nadir's by the direction's height.
+    // [exercise 11.4] Which mixture of the horizon's colour with another is seen at the direction's height?
     const Real y = unit(direction).y;
     return glm::mix(sky.horizon, y > 0 ? sky.zenith : sky.nadir, std::abs(y));
     // [/exercise]

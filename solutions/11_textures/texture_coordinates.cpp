@@ -36,7 +36,8 @@ Vec2 affine_uv(const std::array<Vec2, 3>& uvs, const Vec3& weights) {
 }
 
 Vec2 perspective_uv(const std::array<Vec2, 3>& uvs, const Vec3& depths, const Vec3& screen_weights) {
-    // [exercise 11.1] Interpolate u/depth, v/depth and 1/depth on the screen, and divide.
+    // [exercise 11.1] Return the (u, v) of the point that is seen there. How much does each corner count on
+    // the triangle?
     const Vec3 nearness = screen_weights / depths;
     // The three quotients by the interpolated 1/depth are new weights, which add up to 1 again.
     return affine_uv(uvs, nearness / (nearness.x + nearness.y + nearness.z));
@@ -64,9 +65,8 @@ TexturePoint texture_point(const Sphere& sphere, const Vec3& p, std::uint32_t) {
     texture.uv = sphere_uv(n);
 
     // [exercise 11.1] Set texture.du and texture.dv: how far the point moves, in units of length, for each
-    // unit of u, which is a whole turn, and of v, which is half a turn. At the poles n.x and n.z are 0, and
-    // dv runs along the meridian of texture.uv. The point is centre + radius·(cos φ cos θ, sin φ, cos φ sin
-    // θ), with θ = 2πu and φ = π(v − ½).
+    // unit of u, which is a whole turn, and of v, which is half a turn. At the poles du is 0, and dv runs
+    // along the meridian of texture.uv.
     const Real theta = 2 * pi * texture.uv.x, cos_phi = std::hypot(n.x, n.z);
     texture.du = 2 * pi * sphere.radius * Vec3(-n.z, 0, n.x);
     // The longitude has a direction also where cos φ is 0, and the quotients n.x/cos φ and n.z/cos φ have

@@ -1,4 +1,4 @@
-// Step 11.7: normals of bumps on cases made to break them.
+// Step 11.11: normals of bumps on cases made to break them.
 #include "chapters/11_textures/bump.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -19,7 +19,7 @@ void check_unit(const Vec3& n) {
 
 }  // namespace
 
-TEST_CASE("slopes of every size give a unit normal", "[11.7][stability]") {
+TEST_CASE("slopes of every size give a unit normal", "[11.11][stability]") {
     Random random(11711);
     for (int i = 0; i < cases(5000); ++i) {
         const Vec3 n = random.direction(), gradient = random.magnitude(-300, 300) * random.in_cube();
@@ -35,7 +35,7 @@ TEST_CASE("slopes of every size give a unit normal", "[11.7][stability]") {
     }
 }
 
-TEST_CASE("tangents of every length and angle give a unit normal", "[11.7][stability]") {
+TEST_CASE("tangents of every length and angle give a unit normal", "[11.11][stability]") {
     Random random(11712);
     for (int i = 0; i < cases(5000); ++i) {
         const Vec3 n = random.direction(), a = random.perpendicular_to(n);
@@ -53,7 +53,7 @@ TEST_CASE("tangents of every length and angle give a unit normal", "[11.7][stabi
     }
 }
 
-TEST_CASE("a scene times a power of two has the same normals", "[11.7][stability]") {
+TEST_CASE("a scene times a power of two has the same normals", "[11.11][stability]") {
     Random random(11713);
     for (int i = 0; i < cases(2000); ++i) {
         const Vec3 n = random.direction(), du = random.in_cube(), dv = random.in_cube();
@@ -66,7 +66,7 @@ TEST_CASE("a scene times a power of two has the same normals", "[11.7][stability
     }
 }
 
-TEST_CASE("normal maps give a unit normal whatever they say", "[11.7][stability]") {
+TEST_CASE("normal maps give a unit normal whatever they say", "[11.11][stability]") {
     Random random(11714);
     for (int i = 0; i < cases(5000); ++i) {
         const Vec3 n = random.direction();
@@ -79,7 +79,7 @@ TEST_CASE("normal maps give a unit normal whatever they say", "[11.7][stability]
 }
 
 TEST_CASE("shading normals are kept visible at grazing views and against opposite normals",
-          "[11.7][stability]") {
+          "[11.11][stability]") {
     Random random(11715);
     for (int i = 0; i < cases(20000); ++i) {
         const Vec3 geometric = random.direction(), along = random.perpendicular_to(geometric);

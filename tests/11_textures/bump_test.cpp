@@ -1,4 +1,4 @@
-// Step 11.7: normals of bumps.
+// Step 11.11: normals of bumps.
 #include "chapters/11_textures/bump.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -73,22 +73,22 @@ void check_promises(const Vec3& shading, const Vec3& geometric, const Vec3& view
 
 }  // namespace
 
-TEST_CASE("a slope of 3/4 leans the normal by 3 : 4", "[11.7]") {
+TEST_CASE("a slope of 3/4 leans the normal by 3 : 4", "[11.11]") {
     check_bumped(up, {0.75, 0, 0}, {-0.6, 0, 0.8});
     check_bumped(up, {0, -0.75, 0}, {0, 0.6, 0.8});
 }
 
-TEST_CASE("where the height is even the normal stays", "[11.7]") {
+TEST_CASE("where the height is even the normal stays", "[11.11]") {
     check_bumped(up, {0, 0, 0}, up);
     check_bumped({0.6, 0, -0.8}, {0, 0, 0}, {0.6, 0, -0.8});
 }
 
-TEST_CASE("how the height varies across the surface does not matter", "[11.7]") {
+TEST_CASE("how the height varies across the surface does not matter", "[11.11]") {
     check_bumped(up, {0, 0, 5}, up);
     check_bumped(up, {0.75, 0, -3}, {-0.6, 0, 0.8});
 }
 
-TEST_CASE("the normal of bumps is that of the moved plane", "[11.7]") {
+TEST_CASE("the normal of bumps is that of the moved plane", "[11.11]") {
     Random random(11701);
     for (int i = 0; i < cases(5000); ++i) {
         const Vec3 n = random.direction(), gradient = random.magnitude(-3, 1) * random.in_cube();
@@ -99,32 +99,32 @@ TEST_CASE("the normal of bumps is that of the moved plane", "[11.7]") {
     }
 }
 
-TEST_CASE("a height along tangents leans the normal by 3 : 4", "[11.7]") {
+TEST_CASE("a height along tangents leans the normal by 3 : 4", "[11.11]") {
     check_bumped(up, {{1, 0, 0}, {0, 1, 0}, 0.75, 0}, {-0.6, 0, 0.8}, gamma(64));
     check_bumped(up, {{1, 0, 0}, {0, 1, 0}, 0, 0.75}, {0, -0.6, 0.8}, gamma(64));
     check_bumped(up, {{1, 0, 0}, {0, 1, 0}, 0, 0}, up, gamma(64));
 }
 
-TEST_CASE("the lengths of the tangents do not matter", "[11.7]") {
+TEST_CASE("the lengths of the tangents do not matter", "[11.11]") {
     check_bumped(up, {{2, 0, 0}, {0, 0.25, 0}, 1.5, 0}, {-0.6, 0, 0.8}, gamma(64));
     check_bumped(up, {{2, 0, 0}, {0, 0.25, 0}, 0, 0.1875}, {0, -0.6, 0.8}, gamma(64));
 }
 
-TEST_CASE("the order of the tangents and their angle do not matter", "[11.7]") {
+TEST_CASE("the order of the tangents and their angle do not matter", "[11.11]") {
     // The height grows by 3/4 along x.
     check_bumped(up, {{0, 1, 0}, {1, 0, 0}, 0, 0.75}, {-0.6, 0, 0.8}, gamma(64));
     check_bumped(up, {{1, 0, 0}, {1, 1, 0}, 0.75, 0.75}, {-0.6, 0, 0.8}, gamma(128));
     check_bumped(up, {{1, 0, 0}, {-1, 0.5, 0}, 0.75, -0.75}, {-0.6, 0, 0.8}, gamma(320));
 }
 
-TEST_CASE("tangents that span no plane leave the normal", "[11.7]") {
+TEST_CASE("tangents that span no plane leave the normal", "[11.11]") {
     check_bumped(up, {{0, 0, 0}, {0, 1, 0}, 0.5, 0.5}, up, gamma(8));
     check_bumped(up, {{1, 0, 0}, {0, 0, 0}, 0.5, 0.5}, up, gamma(8));
     check_bumped(up, {{0, 0, 0}, {0, 0, 0}, 0, 0}, up, gamma(8));
     check_bumped(up, {{1, 2, 0}, {-2, -4, 0}, 0.5, 0.5}, up, gamma(8));
 }
 
-TEST_CASE("the normal by tangents is that of the moved plane", "[11.7]") {
+TEST_CASE("the normal by tangents is that of the moved plane", "[11.11]") {
     Random random(11702);
     for (int i = 0; i < cases(5000); ++i) {
         const Vec3 n = random.direction(), a = random.perpendicular_to(n), b = cross(n, a);
@@ -138,7 +138,7 @@ TEST_CASE("the normal by tangents is that of the moved plane", "[11.7]") {
     }
 }
 
-TEST_CASE("a normal map's blue leaves the normal, red and green lean it along du and dv", "[11.7]") {
+TEST_CASE("a normal map's blue leaves the normal, red and green lean it along du and dv", "[11.11]") {
     const Vec3 du(0, 2, 0), dv(-3, 0, 0);
     check_map({0.5, 0.5, 1}, du, dv, up, up);
     check_map({0.8, 0.5, 0.9}, du, dv, up, {0, 0.6, 0.8});
@@ -148,13 +148,13 @@ TEST_CASE("a normal map's blue leaves the normal, red and green lean it along du
     check_map({0.5, 0.5, 0.5}, du, dv, up, up);
 }
 
-TEST_CASE("a shading normal that is good stays", "[11.7]") {
+TEST_CASE("a shading normal that is good stays", "[11.11]") {
     const Vec3 viewer = leant(45);
     for (const Real degrees : {-20.0, 0.0, 30.0, 60.0})
         check_kept(leant(degrees), up, viewer, leant(degrees), gamma(4));
 }
 
-TEST_CASE("one that mirrors the viewer into the surface is led back until it does not", "[11.7]") {
+TEST_CASE("one that mirrors the viewer into the surface is led back until it does not", "[11.11]") {
     // The viewer at 45 degrees, the normal at -30: mirrored at -105 degrees, below the surface. At -22.2 it
     // is -89.4 degrees, and the ray has 1/64 of the viewer's height.
     const Vec3 viewer = leant(45);
@@ -162,14 +162,14 @@ TEST_CASE("one that mirrors the viewer into the surface is led back until it doe
     check_kept(leant(-44), up, viewer, last_good(), 1e-6);
 }
 
-TEST_CASE("one that the viewer sees from behind is led back, too", "[11.7]") {
+TEST_CASE("one that the viewer sees from behind is led back, too", "[11.11]") {
     const Vec3 viewer = leant(45);
     check_kept(leant(-60), up, viewer, last_good(), 1e-6);
     check_kept(leant(-100), up, viewer, last_good(), 1e-6);
     check_kept(leant(-130), up, viewer, last_good(), 1e-6);
 }
 
-TEST_CASE("a viewer inside sees the far side of the normals", "[11.7]") {
+TEST_CASE("a viewer inside sees the far side of the normals", "[11.11]") {
     // All is turned: the geometric normal is away from the viewer, and so is what comes out.
     const Vec3 viewer = leant(45);
     check_kept(-leant(30), -up, viewer, -leant(30), gamma(4));
@@ -177,17 +177,17 @@ TEST_CASE("a viewer inside sees the far side of the normals", "[11.7]") {
     check_kept(-leant(-60), -up, viewer, -last_good(), 1e-6);
 }
 
-TEST_CASE("a viewer in the plane of the surface gets the geometric normal", "[11.7]") {
+TEST_CASE("a viewer in the plane of the surface gets the geometric normal", "[11.11]") {
     check_kept(leant(-30), up, {1, 0, 0}, up, gamma(4));
 }
 
-TEST_CASE("whatever the normals, the viewer sees the front and the mirrored ray rises", "[11.7]") {
+TEST_CASE("whatever the normals, the viewer sees the front and the mirrored ray rises", "[11.11]") {
     Random random(11703);
     for (int i = 0; i < cases(20000); ++i)
         check_promises(random.direction(), random.direction(), random.direction());
 }
 
-TEST_CASE("a normal is led back no farther than needed", "[11.7]") {
+TEST_CASE("a normal is led back no farther than needed", "[11.11]") {
     Random random(11704);
     for (int i = 0; i < cases(5000); ++i) {
         const Vec3 shading = random.direction(), geometric = random.direction(), viewer = random.direction();

@@ -1,4 +1,4 @@
-// Step 11.6: cells at places where numbers run out of digits.
+// Step 11.9: cells at places where numbers run out of digits.
 #include "chapters/11_textures/cells.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -13,7 +13,7 @@ using namespace rt;
 using test::cases;
 using test::Random;
 
-TEST_CASE("cells far from the origin are right", "[11.6][stability]") {
+TEST_CASE("cells far from the origin are right", "[11.9][stability]") {
     Random random(11611);
     for (int i = 0; i < cases(3000); ++i) {
         // Whole numbers and quarters, all exact below 2^51; half of them beside or beyond a power of 2^32.
@@ -39,7 +39,7 @@ TEST_CASE("cells far from the origin are right", "[11.6][stability]") {
     }
 }
 
-TEST_CASE("distances to cells are in their range everywhere", "[11.6][stability]") {
+TEST_CASE("distances to cells are in their range everywhere", "[11.9][stability]") {
     Random random(11612);
     for (int i = 0; i < cases(5000); ++i) {
         const Vec3 q = random.magnitude(-300, 308) * random.in_cube();
@@ -51,7 +51,7 @@ TEST_CASE("distances to cells are in their range everywhere", "[11.6][stability]
     }
 }
 
-TEST_CASE("points of the lattice have the cells of both sides", "[11.6][stability]") {
+TEST_CASE("points of the lattice have the cells of both sides", "[11.9][stability]") {
     Random random(11613);
     for (int i = 0; i < cases(5000); ++i) {
         // Beside a corner, by less than rounding can tell from it.

@@ -1,4 +1,4 @@
-// Step 11.17 near the horizon, and at the ends of its numbers.
+// Step 11.22 near the horizon, and at the ends of its numbers.
 #include "chapters/11_textures/coat.hpp"
 #include "common/math/error.hpp"
 #include "tests/11_textures/lobe_checks.hpp"
@@ -12,7 +12,7 @@ using test::at_cosine;
 using test::cases;
 using test::Random;
 
-TEST_CASE("paint near the horizon, under coats of all kinds", "[11.17][stability]") {
+TEST_CASE("paint near the horizon, under coats of all kinds", "[11.22][stability]") {
     Random random(11174);
     for (int i = 0; i < cases(5000); ++i) {
         const Real ior = i % 2 == 0 ? 1 + random.magnitude(-15, 0) : random.uniform(1, 4);
@@ -27,7 +27,7 @@ TEST_CASE("paint near the horizon, under coats of all kinds", "[11.17][stability
     }
 }
 
-TEST_CASE("samples of paint at the ends of all numbers", "[11.17][stability]") {
+TEST_CASE("samples of paint at the ends of all numbers", "[11.22][stability]") {
     const Real last = 1 - 0x1p-53;
     for (const Real a : {0.0, 1e-300, 0.5, last})
         for (const Real c : {0.0, 1e-300, 0.04, 0.5, last})

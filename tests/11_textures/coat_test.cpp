@@ -1,4 +1,4 @@
-// Step 11.17: paint under a clear coat.
+// Step 11.22: paint under a clear coat.
 #include "chapters/11_textures/coat.hpp"
 #include "common/math/error.hpp"
 #include "tests/11_textures/lobe_checks.hpp"
@@ -40,7 +40,7 @@ void check_from_above(const Vec3& color, const Vec3& expected, Real bound) {
 
 }  // namespace
 
-TEST_CASE("a coat of index 1 is none", "[11.17]") {
+TEST_CASE("a coat of index 1 is none", "[11.22]") {
     check_kept(1, 0, promised);
     const Coated bare{{0.2, 0.4, 0.6}, 1};
     for (const Vec3& v : {up, right, towards(85, 30)}) {
@@ -50,14 +50,14 @@ TEST_CASE("a coat of index 1 is none", "[11.17]") {
     }
 }
 
-TEST_CASE("the part of light that the coat keeps inside", "[11.17]") {
+TEST_CASE("the part of light that the coat keeps inside", "[11.22]") {
     // For n = 1.5 the outside mirrors 0.0917780 in the mean, so inside it is 1 − 0.9082220/2.25 = 0.5963458.
     check_kept(1.5, 0.5963458, 2e-7);
     // For n = 2: 1 − (1 − 0.1605966)/4.
     check_kept(2, 0.7901492, 2e-7);
 }
 
-TEST_CASE("paint straight from above, by hand", "[11.17]") {
+TEST_CASE("paint straight from above, by hand", "[11.22]") {
     // F = 0.04, T² = 0.9216. Of white paint f = T²/(π · (n² − n² + 1 − 0.0917780)).
     check_from_above(Vec3(1), Vec3(0.9216 / (pi * 0.908222)), 4e-7);
     // Of grey paint of 0.5: 0.5·0.9216/(π · 2.25 · (1 − 0.5·0.5963458)) = 0.2918098/π.
@@ -67,13 +67,16 @@ TEST_CASE("paint straight from above, by hand", "[11.17]") {
     CHECK(near(pdf({Vec3(0.5), 1.5}, up, up), 0.96 / pi, gamma(32)));
 }
 
-TEST_CASE("the channels of paint are apart", "[11.17]") {
+TEST_CASE("the channels of paint are apart", "[11.22]") {
     check_from_above({1, 0.5, 0}, Vec3(0.9216 / 0.908222, 0.2918098, 0) / pi, 4e-7);
 }
 
-TEST_CASE("below the surface paint is 0", "[11.17]") { test::check_below(Coated{Vec3(1), 1.5}); }
+TEST_CASE("below the surface paint is 0", "[11.22]") {
+    test::check_below(Coated{Vec3(1), 1.5});
+    test::check_nothing_drawn_below(Coated{Vec3(1), 1.5});
+}
 
-TEST_CASE("the coat mirrors if the random number is below Fresnel's part", "[11.17]") {
+TEST_CASE("the coat mirrors if the random number is below Fresnel's part", "[11.22]") {
     const Coated coated{Vec3(0.5), 1.5};
     const auto mirrored = sample(coated, up, {0.3, 0.6, 0.0399});
     INFO("straight from above the part is 0.04; the number is 0.0399");
@@ -93,7 +96,7 @@ TEST_CASE("the coat mirrors if the random number is below Fresnel's part", "[11.
     CHECK(through->to_light.z > 0);
 }
 
-TEST_CASE("the weight of a sample of paint is f cos/pdf", "[11.17]") {
+TEST_CASE("the weight of a sample of paint is f cos/pdf", "[11.22]") {
     Random random(11170);
     for (int i = 0; i < cases(2000); ++i) {
         const Coated coated{{random.uniform(0, 1), 1, 0.5}, random.uniform(1, 4)};
@@ -111,7 +114,7 @@ TEST_CASE("the weight of a sample of paint is f cos/pdf", "[11.17]") {
     }
 }
 
-TEST_CASE("white paint loses no light", "[11.17]") {
+TEST_CASE("white paint loses no light", "[11.22]") {
     // What the coat does not mirror comes back: the furnace is 1 − F(v). The midpoint rule on 64² cells errs
     // by 2.1e-5 at most.
     for (const Real ior : {1.0, 1.1, 1.5, 2.5})
@@ -124,7 +127,7 @@ TEST_CASE("white paint loses no light", "[11.17]") {
         }
 }
 
-TEST_CASE("paint is the same with light and viewer exchanged", "[11.17]") {
+TEST_CASE("paint is the same with light and viewer exchanged", "[11.22]") {
     Random random(11171);
     for (int i = 0; i < cases(2000); ++i) {
         const Coated coated{{random.uniform(0, 1), 1, 0.5}, random.uniform(1, 4)};
@@ -135,7 +138,7 @@ TEST_CASE("paint is the same with light and viewer exchanged", "[11.17]") {
     }
 }
 
-TEST_CASE("paint by a sum over all that happens under the coat", "[11.17]") {
+TEST_CASE("paint by a sum over all that happens under the coat", "[11.22]") {
     Random random(11172);
     for (int i = 0; i < cases(500); ++i) {
         const Real color = random.uniform(0, 0.95), ior = random.uniform(1.05, 3);
@@ -160,7 +163,7 @@ TEST_CASE("paint by a sum over all that happens under the coat", "[11.17]") {
     }
 }
 
-TEST_CASE("directions from paint are as dense as they claim", "[11.17]") {
+TEST_CASE("directions from paint are as dense as they claim", "[11.22]") {
     for (const Real angle : {0.0, 60.0, 85.0}) {
         const Coated coated{Vec3(0.5), 1.5};
         const Vec3 v = towards(angle, 25);

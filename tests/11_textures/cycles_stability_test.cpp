@@ -1,4 +1,4 @@
-// Steps 11.13, 11.14 and 11.16 beside another renderer: what Blender's Cycles says of the same lobes. Its
+// Steps 11.15, 11.16 and 11.20 beside another renderer: what Blender's Cycles says of the same lobes. Its
 // numbers are in cycles.csv, made by cycles.py, so that no test needs Blender.
 #include "chapters/11_textures/lobes.hpp"
 #include "tests/11_textures/lobe_checks.hpp"
@@ -56,21 +56,21 @@ void compare_with_cycles(const std::string& name, LobeOf lobe_of, PartOf part_of
 
 }  // namespace
 
-TEST_CASE("a matte lobe is that of Cycles", "[11.13][stability]") {
+TEST_CASE("a matte lobe is that of Cycles", "[11.15][stability]") {
     // Measured: at most 1.5e-5, for σ = 1 in grazing light, where 1 + σ·t is nearly 0; elsewhere 6.3e-6.
     const auto part = [](Real, const Vec3&, const Vec3&) { return 1.8e-5; };
     const auto matte = [](Real roughness) { return Matte{Vec3(1), roughness}; };
     compare_with_cycles("matte", matte, part, 0);
 }
 
-TEST_CASE("the lobe of white rough metal is that of Cycles", "[11.14][stability]") {
+TEST_CASE("the lobe of white rough metal is that of Cycles", "[11.16][stability]") {
     // Measured: at most 6.6e-6, in grazing light seen from near the horizon.
     const auto part = [](Real, const Vec3&, const Vec3&) { return 1e-5; };
     const auto metal = [](Real roughness) { return RoughMetal{Vec3(1), roughness}; };
     compare_with_cycles("metal", metal, part, 0);
 }
 
-TEST_CASE("a velvet lobe is that of Cycles", "[11.16][stability]") {
+TEST_CASE("a velvet lobe is that of Cycles", "[11.20][stability]") {
     // The exponent is rounded, and passes that on; below 1e-37 single precision has few digits.
     const auto part = [](Real roughness, const Vec3& l, const Vec3& v) {
         const Vec3 h = normalize(l + v);

@@ -1,4 +1,4 @@
-// Step 11.10 and 11.11 on extreme cases: rays that graze, differentials of all sizes, critical angles.
+// Step 11.12 and 11.13 on extreme cases: rays that graze, differentials of all sizes, critical angles.
 #include "chapters/11_textures/differential.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -25,7 +25,7 @@ bool is_finite(const RayDifferential& r) {
 
 }  // namespace
 
-TEST_CASE("grazing rays, however little they are inclined, have finite differentials", "[11.10][stability]") {
+TEST_CASE("grazing rays, however little they are inclined, have finite differentials", "[11.12][stability]") {
     Random random(111011);
     for (int i = 0; i < cases(20000); ++i) {
         // Along an axis the cosine is what it was made, from 1e-300 to 0.
@@ -40,7 +40,7 @@ TEST_CASE("grazing rays, however little they are inclined, have finite different
     }
 }
 
-TEST_CASE("slanted rays with changes of all sizes end on the tangent plane", "[11.10][stability]") {
+TEST_CASE("slanted rays with changes of all sizes end on the tangent plane", "[11.12][stability]") {
     Random random(111012);
     for (int i = 0; i < cases(20000); ++i) {
         const Ray ray{Vec3(0), random.direction()};
@@ -61,7 +61,7 @@ TEST_CASE("slanted rays with changes of all sizes end on the tangent plane", "[1
     }
 }
 
-TEST_CASE("near a critical angle differentials are finite", "[11.11][stability]") {
+TEST_CASE("near a critical angle differentials are finite", "[11.13][stability]") {
     Random random(111111);
     for (int i = 0; i < cases(20000); ++i) {
         const Real eta = random.uniform(1.01, 3);

@@ -1,4 +1,4 @@
-// Steps 11.10 and 11.11: ray differentials, against geometry that can be done by hand and against
+// Steps 11.12 and 11.13: ray differentials, against geometry that can be done by hand and against
 // neighbouring rays.
 #include "chapters/11_textures/differential.hpp"
 #include "chapters/01_ray_casting/camera.hpp"
@@ -122,14 +122,14 @@ Ray towards_unit_sphere(Random& random, Real cosine) {
 }  // namespace
 
 TEST_CASE("in the middle of the picture, the direction changes by a pixel's size to the right and down",
-          "[11.10]") {
+          "[11.12]") {
     const View view = slope_view(Projection::Perspective);
     INFO(text(view));
     check_same(camera_differential(view, 40, 25),
                {.direction_dx = {0, 0, 0.03}, .direction_dy = {-0.018, -0.024, 0}}, gamma(16) * 0.03);
 }
 
-TEST_CASE("away from the middle a pixel is a smaller angle, and the unit direction only turns", "[11.10]") {
+TEST_CASE("away from the middle a pixel is a smaller angle, and the unit direction only turns", "[11.12]") {
     // a = 0.75, so g = (0.75, 0, -1) has length 1.25 and g/|g| is (0.6, 0, -0.8). Of dg = (0.03, 0, 0) only
     // what is perpendicular to it is left, 0.8·0.03 along (0.8, 0, 0.6), divided by 1.25.
     const View view{.frame = {}, .half_height = 0.75, .width = 50, .height = 50};
@@ -139,7 +139,7 @@ TEST_CASE("away from the middle a pixel is a smaller angle, and the unit directi
                gamma(16) * 0.03);
 }
 
-TEST_CASE("in an orthographic view the origin moves and the direction stays", "[11.10]") {
+TEST_CASE("in an orthographic view the origin moves and the direction stays", "[11.12]") {
     const View view = slope_view(Projection::Orthographic);
     INFO(text(view));
     for (const Vec2& at : {Vec2(40, 25), Vec2(3, 49)})
@@ -147,7 +147,7 @@ TEST_CASE("in an orthographic view the origin moves and the direction stays", "[
                    {.origin_dx = {0, 0, 0.03}, .origin_dy = {-0.018, -0.024, 0}}, gamma(16) * 0.03);
 }
 
-TEST_CASE("on a floor below, a pixel is wider, and longer where the ray is slanted", "[11.10]") {
+TEST_CASE("on a floor below, a pixel is wider, and longer where the ray is slanted", "[11.12]") {
     // The middle ray meets the floor y = 0 at distance 5, in (4, 0, 0). There a pixel is 5·0.03 wide; down
     // the picture, which is nearer, it is longer by 1/cos = 5/3.
     const Ray ray{{0, 3, 0}, {0.8, -0.6, 0}};
@@ -159,7 +159,7 @@ TEST_CASE("on a floor below, a pixel is wider, and longer where the ray is slant
     check_same(transferred(at_eye, ray, 5, {0, -1, 0}), expected, gamma(16) * 0.15 / 0.6);
 }
 
-TEST_CASE("what the origin has moved already counts", "[11.10]") {
+TEST_CASE("what the origin has moved already counts", "[11.12]") {
     const Ray ray{{0, 3, 0}, {0.8, -0.6, 0}};
     const RayDifferential parallel{.origin_dx = {0, 0, 0.03}, .origin_dy = {-0.018, -0.024, 0}};
     INFO(ray << " meets the floor y = 0 at t = 5; it comes with " << text(parallel));
@@ -167,7 +167,7 @@ TEST_CASE("what the origin has moved already counts", "[11.10]") {
                gamma(16) * 0.03 / 0.6);
 }
 
-TEST_CASE("a wall that faces the ray is met without sliding", "[11.10]") {
+TEST_CASE("a wall that faces the ray is met without sliding", "[11.12]") {
     const RayDifferential at_eye{{0.5, 0, 0}, {0, -0.25, 0}, {0.125, 0, 0}, {0, -0.125, 0}};
     const Ray ray{{0, 0, 0}, {0, 0, -1}};
     INFO(ray << " meets the wall z = -4 at t = 4; it comes with " << text(at_eye));
@@ -175,7 +175,7 @@ TEST_CASE("a wall that faces the ray is met without sliding", "[11.10]") {
                {{1, 0, 0}, {0, -0.75, 0}, {0.125, 0, 0}, {0, -0.125, 0}}, gamma(16));
 }
 
-TEST_CASE("a ray that grazes the surface has a finite differential", "[11.10]") {
+TEST_CASE("a ray that grazes the surface has a finite differential", "[11.12]") {
     const RayDifferential at_eye{.direction_dx = {0, 0, 0.03}, .direction_dy = {0, -0.03, 0}};
     const RayDifferential answer = transferred(at_eye, {{0, 0, 0}, {1, 0, 0}}, 5, {0, 1, 0});
     INFO("the ray runs along the plane: " << text(answer));
@@ -183,7 +183,7 @@ TEST_CASE("a ray that grazes the surface has a finite differential", "[11.10]") 
         CHECK(test::or_say(test::is_finite(part), test::show(part) + " is not finite"));
 }
 
-TEST_CASE("the camera's differential is the slope between neighbouring rays of the picture", "[11.10]") {
+TEST_CASE("the camera's differential is the slope between neighbouring rays of the picture", "[11.12]") {
     Random random(111001);
     for (int i = 0; i < cases(4000); ++i) {
         const Vec3 w = random.direction(), u = random.perpendicular_to(w);
@@ -221,7 +221,7 @@ TEST_CASE("the camera's differential is the slope between neighbouring rays of t
 }
 
 TEST_CASE("the transferred differential is the slope between points where neighbours meet a plane",
-          "[11.10]") {
+          "[11.12]") {
     Random random(111002);
     for (int i = 0; i < cases(4000); ++i) {
         const Ray ray{10.0 * random.in_cube(), random.direction()};
@@ -245,7 +245,7 @@ TEST_CASE("the transferred differential is the slope between points where neighb
     }
 }
 
-TEST_CASE("a mirror ball of radius 2 makes parallel rays spread from a point 1 behind its face", "[11.11]") {
+TEST_CASE("a mirror ball of radius 2 makes parallel rays spread from a point 1 behind its face", "[11.13]") {
     // The focal length of a mirror is r/2. Rays along -z meet the ball around 0 in (0, 0, 2); the pixel to
     // the right is 0.01 farther in x, where the normal leans by 0.005 and the mirrored ray by 0.01.
     const RayDifferential at_ball{.origin_dx = {0.01, 0, 0}, .origin_dy = {0, -0.01, 0}};
@@ -259,7 +259,7 @@ TEST_CASE("a mirror ball of radius 2 makes parallel rays spread from a point 1 b
     check_same(focus, {Vec3(0), Vec3(0), {0.01, 0, 0}, {0, -0.01, 0}}, gamma(48) * 0.02);
 }
 
-TEST_CASE("on a flat thing the normal stays, on a sphere it tilts by dp/r", "[11.11]") {
+TEST_CASE("on a flat thing the normal stays, on a sphere it tilts by dp/r", "[11.13]") {
     const RayDifferential moved{.origin_dx = {0.5, 0, 0}, .origin_dy = {0, -0.25, 0}};
     const NormalChange flat = normal_change(moved, {0, 0, 1}, 0);
     {
@@ -279,7 +279,7 @@ TEST_CASE("on a flat thing the normal stays, on a sphere it tilts by dp/r", "[11
     CHECK(test::near(hollow.dy, Vec3(0, 0.125, 0), gamma(8)));
 }
 
-TEST_CASE("only what is tangential in dp tilts the normal", "[11.11]") {
+TEST_CASE("only what is tangential in dp tilts the normal", "[11.13]") {
     const RayDifferential moved{.origin_dx = {0.5, 0, 8}, .origin_dy = {0, 0, 3}};
     const NormalChange round = normal_change(moved, {0, 0, 1}, 0.5);
     INFO("the point moves by (0.5, 0, 8) and (0, 0, 3), the normal is (0, 0, 1), the curvature 1/2");
@@ -287,14 +287,14 @@ TEST_CASE("only what is tangential in dp tilts the normal", "[11.11]") {
     CHECK(test::near(round.dy, Vec3(0, 0, 0), gamma(8) * 4));
 }
 
-TEST_CASE("a flat mirror turns the differential as it turns the direction", "[11.11]") {
+TEST_CASE("a flat mirror turns the differential as it turns the direction", "[11.13]") {
     const RayDifferential in{{0, 0, 0.15}, {-0.25, 0, 0}, {0, 0, 0.03}, {-0.018, -0.024, 0}};
     INFO("a ray along (0.8, -0.6, 0) is mirrored by the floor; it comes with " << text(in));
     check_same(reflected(in, {0.8, -0.6, 0}, {0, 1, 0}, {}),
                {{0, 0, 0.15}, {-0.25, 0, 0}, {0, 0, 0.03}, {-0.018, 0.024, 0}}, gamma(24) * 0.03);
 }
 
-TEST_CASE("a slanted ray on a curved mirror: the normal's tilt counts twice", "[11.11]") {
+TEST_CASE("a slanted ray on a curved mirror: the normal's tilt counts twice", "[11.13]") {
     // The normal (0, 1, 0) tilts by 0.1 towards x: the ray along (0.8, -0.6, 0) leaves along (0.8, 0.6, 0),
     // turned by 0.2 about z.
     INFO("d = (0.8, -0.6, 0), n = (0, 1, 0), dn/dx = (0.1, 0, 0)");
@@ -302,7 +302,7 @@ TEST_CASE("a slanted ray on a curved mirror: the normal's tilt counts twice", "[
                {Vec3(0), Vec3(0), {0.12, -0.16, 0}, Vec3(0)}, gamma(24) * 0.1);
 }
 
-TEST_CASE("through a flat surface the angle between neighbours shrinks as Snell's law says", "[11.11]") {
+TEST_CASE("through a flat surface the angle between neighbours shrinks as Snell's law says", "[11.13]") {
     // sin i = 0.8, eta = 3/4, so sin t = 0.6; from cos t dt = eta cos i di, dt = 0.75·0.6/0.8 di = 0.5625 di.
     // The one pixel turns the ray by 0.016 in the plane of incidence; across it, eta alone counts.
     const RayDifferential in{.direction_dx = {0, 0, 0.016}, .direction_dy = 0.016 * Vec3(0.6, 0.8, 0)};
@@ -311,7 +311,7 @@ TEST_CASE("through a flat surface the angle between neighbours shrinks as Snell'
                {Vec3(0), Vec3(0), {0, 0, 0.012}, {0.0072, 0.0054, 0}}, gamma(16) * 10 * 0.016 / 0.512);
 }
 
-TEST_CASE("a ball of glass bundles parallel rays at 3 radii behind its face", "[11.11]") {
+TEST_CASE("a ball of glass bundles parallel rays at 3 radii behind its face", "[11.13]") {
     // Behind one surface of index n the focus is at n r/(n - 1), which for 1.5 is 3 r, here 6.
     const RayDifferential in{.origin_dx = {0.01, 0, 0}, .origin_dy = {0, -0.01, 0}};
     const Vec3 d(0, 0, -1), n(0, 0, 1);
@@ -326,7 +326,7 @@ TEST_CASE("a ball of glass bundles parallel rays at 3 radii behind its face", "[
     check_same(focus, {Vec3(0), Vec3(0), out.direction_dx, out.direction_dy}, gamma(16) * 8 * 0.1);
 }
 
-TEST_CASE("at a critical angle the differential is finite", "[11.11]") {
+TEST_CASE("at a critical angle the differential is finite", "[11.13]") {
     // sin i = 0.8, eta = 1.25: the refracted ray lies in the surface.
     const RayDifferential in{.direction_dx = {0, 0, 0.016}, .direction_dy = 0.016 * Vec3(0.6, 0.8, 0)};
     const RayDifferential out = refracted(in, {0.8, -0.6, 0}, {0, 1, 0}, {{0.1, 0, 0}, {0, 0, 0.1}}, 1.25);
@@ -335,7 +335,7 @@ TEST_CASE("at a critical angle the differential is finite", "[11.11]") {
     CHECK(test::is_finite(out.direction_dy));
 }
 
-TEST_CASE("the mirrored differential is the slope between rays that neighbours send off a ball", "[11.11]") {
+TEST_CASE("the mirrored differential is the slope between rays that neighbours send off a ball", "[11.13]") {
     Random random(111101);
     for (int i = 0; i < cases(4000); ++i) {
         const Real cosine = random.uniform(0.2, 1);
@@ -366,7 +366,7 @@ TEST_CASE("the mirrored differential is the slope between rays that neighbours s
 }
 
 TEST_CASE("the refracted differential is the slope between rays that neighbours send into a ball",
-          "[11.11]") {
+          "[11.13]") {
     Random random(111102);
     int asked = 0;
     for (int i = 0; i < cases(4000); ++i) {
@@ -406,7 +406,7 @@ TEST_CASE("the refracted differential is the slope between rays that neighbours 
     CHECK(asked > cases(4000) / 2);
 }
 
-TEST_CASE("from the camera by a mirror ball to the floor: as neighbouring rays of the picture", "[11.11]") {
+TEST_CASE("from the camera by a mirror ball to the floor: as neighbouring rays of the picture", "[11.13]") {
     // The whole way of a pixel, through four functions: the eye at (0, 1, 4) looks along -z at a unit sphere
     // around 0, which mirrors the floor y = -1.
     const View view{.frame = {}, .eye = {0, 1, 4}, .half_height = 0.5, .width = 100, .height = 100};

@@ -1,4 +1,4 @@
-// Step 11.12 on extreme cases: tangents and footprints of all sizes.
+// Step 11.14 on extreme cases: tangents and footprints of all sizes.
 #include "chapters/11_textures/footprint.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -16,7 +16,7 @@ bool is_finite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y);
 
 }  // namespace
 
-TEST_CASE("tangents of all lengths and angles have finite footprints", "[11.12][stability]") {
+TEST_CASE("tangents of all lengths and angles have finite footprints", "[11.14][stability]") {
     Random random(111211);
     for (int i = 0; i < cases(20000); ++i) {
         const Vec3 along = random.direction();
@@ -37,7 +37,7 @@ TEST_CASE("tangents of all lengths and angles have finite footprints", "[11.12][
     }
 }
 
-TEST_CASE("small and large tangents measure alike", "[11.12][stability]") {
+TEST_CASE("small and large tangents measure alike", "[11.14][stability]") {
     Random random(111212);
     for (int i = 0; i < cases(20000); ++i) {
         const Real u = random.magnitude(-70, 30), v = random.magnitude(-70, 30);
@@ -55,7 +55,7 @@ TEST_CASE("small and large tangents measure alike", "[11.12][stability]") {
     }
 }
 
-TEST_CASE("footprints of all sizes have a colour within the texture's", "[11.12][stability]") {
+TEST_CASE("footprints of all sizes have a colour within the texture's", "[11.14][stability]") {
     Random random(111213);
     Image image = make_image(16, 4);
     for (Vec3& texel : image.pixels) texel = Vec3(random.uniform(0, 1), random.uniform(0, 1), 1);

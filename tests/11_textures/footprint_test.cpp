@@ -1,4 +1,4 @@
-// Step 11.12: the footprint of a pixel on a texture, and the mean over it.
+// Step 11.14: the footprint of a pixel on a texture, and the mean over it.
 #include "chapters/11_textures/footprint.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -87,24 +87,24 @@ Footprint turned(const MipMap& map, Vec2 along, Real major, Real minor, Real ang
 
 }  // namespace
 
-TEST_CASE("the footprint of a floor's pixel", "[11.12]") {
+TEST_CASE("the footprint of a floor's pixel", "[11.14]") {
     // The floor of the lesson: a pixel is 0.15 wide along z and 0.25 long along x. The texture is 2 wide.
     INFO("du = (2, 0, 0), dv = (0, 0, 2); dp = (0, 0, 0.15) to the right, (-0.25, 0, 0) down");
     check_same(footprint({2, 0, 0}, {0, 0, 2}, {0, 0, 0.15}, {-0.25, 0, 0}), {{0, 0.075}, {-0.125, 0}},
                gamma(32) * 0.125);
 }
 
-TEST_CASE("what the point moves off the tangents does not count", "[11.12]") {
+TEST_CASE("what the point moves off the tangents does not count", "[11.14]") {
     INFO("du = (2, 0, 0), dv = (0, 0, 4); dp = (2, 7, 2) to the right, (0, -9, 0) down");
     check_same(footprint({2, 0, 0}, {0, 0, 4}, {2, 7, 2}, {0, -9, 0}), {{1, 0.5}, {0, 0}}, gamma(32) * 5);
 }
 
-TEST_CASE("tangents that are not perpendicular share the way between them", "[11.12]") {
+TEST_CASE("tangents that are not perpendicular share the way between them", "[11.14]") {
     INFO("du = (1, 0, 0), dv = (1, 1, 0); dp = (0, 1, 0) = dv - du to the right, (3, 2, 0) = du + 2 dv down");
     check_same(footprint({1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {3, 2, 0}), {{-1, 1}, {1, 2}}, gamma(32) * 16);
 }
 
-TEST_CASE("where tangents are 0 or parallel the texture has no size, and the footprint is 0", "[11.12]") {
+TEST_CASE("where tangents are 0 or parallel the texture has no size, and the footprint is 0", "[11.14]") {
     const Vec3 a(0.3, -0.7, 0.2), zero(0);
     const Vec3 pairs[][2] = {{a, zero}, {zero, a}, {zero, zero}, {a, 2.0 * a}, {-3.0 * a, a}, {a, a / 7.0}};
     for (const auto& pair : pairs) {
@@ -113,13 +113,13 @@ TEST_CASE("where tangents are 0 or parallel the texture has no size, and the foo
     }
 }
 
-TEST_CASE("a footprint of 0 sees the texture as sharp as it is", "[11.12]") {
+TEST_CASE("a footprint of 0 sees the texture as sharp as it is", "[11.14]") {
     const MipMap map = texture(8, 8, [](int i, int j) { return (10 * i + j) / 100.0; });
     check_grey(map, centre(map, 4, 2), {}, 16, 0.42);
     check_grey(map, centre(map, 4, 2), {{0.01, 0}, {0, 0.02}}, 16, 0.42);
 }
 
-TEST_CASE("three probes, on three columns", "[11.12]") {
+TEST_CASE("three probes, on three columns", "[11.14]") {
     // 3 texels wide and 1 high, on column 4: the probes are 1 texel wide, on columns 3, 4 and 5.
     const MipMap stripes = texture(8, 8, [](int i, int) { return i % 2; });
     INFO("columns are black and white in turn; the middle of the footprint is on a black one");
@@ -127,7 +127,7 @@ TEST_CASE("three probes, on three columns", "[11.12]") {
     check_grey(stripes, centre(stripes, 4, 3), {{0, 1.0 / 8}, {3.0 / 8, 0}}, 16, 2.0 / 3);
 }
 
-TEST_CASE("the outermost probes weigh as much as is inside", "[11.12]") {
+TEST_CASE("the outermost probes weigh as much as is inside", "[11.14]") {
     // The white column is two to the right of the middle: of the cell from 1½ to 2½, what is below r/2
     // counts.
     const MipMap map = white_column(8, 8, 6);
@@ -137,20 +137,20 @@ TEST_CASE("the outermost probes weigh as much as is inside", "[11.12]") {
         check_grey(map, centre(map, 4, 3), {{length_and_grey.x / 8, 0}, {0, 1.0 / 8}}, 16, length_and_grey.y);
 }
 
-TEST_CASE("stripes stay sharp along a long footprint", "[11.12]") {
+TEST_CASE("stripes stay sharp along a long footprint", "[11.14]") {
     const MipMap rows = texture(16, 16, [](int, int j) { return j / 16.0; });
     INFO("every row has another grey; the footprint is 12 texels long and 1 high, on row 5");
     check_grey(rows, centre(rows, 2, 5), {{12.0 / 16, 0}, {0, 1.0 / 16}}, 16, 5.0 / 16);
     check_grey(rows, centre(rows, 2, 5), {{0, -1.0 / 16}, {12.0 / 16, 0}}, 16, 5.0 / 16);
 }
 
-TEST_CASE("a square footprint needs one lookup", "[11.12]") {
+TEST_CASE("a square footprint needs one lookup", "[11.14]") {
     // 2 by 2 texels around the common corner of 42, 52, 43 and 53 hundredths: their mean, as on level 1.
     const MipMap map = texture(8, 8, [](int i, int j) { return (10 * i + j) / 100.0; });
     check_grey(map, {5.0 / 8, 3.0 / 8}, {{0.25, 0}, {0, 0.25}}, 16, 0.475);
 }
 
-TEST_CASE("a texture may be wider than high: it is texels that count", "[11.12]") {
+TEST_CASE("a texture may be wider than high: it is texels that count", "[11.14]") {
     // 16 × 4 texels. Three of 16 columns and one of 4 rows are 3 texels by 1, however that looks in uv.
     const MipMap map = white_column(16, 4, 9);
     INFO("column 9 is white, the middle of the footprint is on column 8");
@@ -160,14 +160,14 @@ TEST_CASE("a texture may be wider than high: it is texels that count", "[11.12]"
     check_grey(row, centre(row, 8, 1), {{1.0 / 16, 0}, {0, 3.0 / 4}}, 16, 1.0 / 3);
 }
 
-TEST_CASE("with one probe the whole length is blurred", "[11.12]") {
+TEST_CASE("with one probe the whole length is blurred", "[11.14]") {
     const MipMap map = white_column(8, 8, 4);
     INFO("column 4 is white, the footprint is 8 texels long and 1 high");
     for (const int most_probes : {1, 2})
         check_grey(map, centre(map, 4, 3), {{1, 0}, {0, 1.0 / 8}}, most_probes, 1.0 / 8);
 }
 
-TEST_CASE("what is too long for the probes is looked at with wider ones", "[11.12]") {
+TEST_CASE("what is too long for the probes is looked at with wider ones", "[11.14]") {
     // 12 texels with at most 3 or 4 probes: three, 4 texels wide each, which is level 2: columns 0 to 3, 4 to
     // 7 and 8 to 11.
     const MipMap map = texture(16, 16, [](int i, int) {
@@ -177,7 +177,7 @@ TEST_CASE("what is too long for the probes is looked at with wider ones", "[11.1
         check_grey(map, {6.0 / 16, 6.0 / 16}, {{12.0 / 16, 0}, {0, 1.0 / 16}}, most_probes, 0.35);
 }
 
-TEST_CASE("probes lie along the longer axis, whatever its direction", "[11.12]") {
+TEST_CASE("probes lie along the longer axis, whatever its direction", "[11.14]") {
     const MipMap map = hills(32, 32);
     const Vec2 uv = centre(map, 9, 20);
     // 3 texels along (0.6, 0.8), 1 across.
@@ -190,7 +190,7 @@ TEST_CASE("probes lie along the longer axis, whatever its direction", "[11.12]")
     CHECK(test::near_color(anisotropic(map, uv, seen, Wrap::Repeat, 16), expected, bound(map, uv, 1)));
 }
 
-TEST_CASE("beyond the edge of the texture the wrap decides", "[11.12]") {
+TEST_CASE("beyond the edge of the texture the wrap decides", "[11.14]") {
     const MipMap map = white_column(8, 8, 0);
     const Footprint seen{{3.0 / 8, 0}, {0, 1.0 / 8}};
     const Vec2 uv = centre(map, 7, 3);
@@ -199,7 +199,7 @@ TEST_CASE("beyond the edge of the texture the wrap decides", "[11.12]") {
     CHECK(test::near_color(anisotropic(map, uv, seen, Wrap::Clamp, 16), Vec3(0), bound(map, uv, 1)));
 }
 
-TEST_CASE("the axes of a footprint, by hand", "[11.12]") {
+TEST_CASE("the axes of a footprint, by hand", "[11.14]") {
     const auto check_axes = [](const Ellipse& actual, Real major, Real minor) {
         {
             INFO("the long axis, in texels");
@@ -223,7 +223,7 @@ TEST_CASE("the axes of a footprint, by hand", "[11.12]") {
     check_axes(ellipse({{1, 1}, {1, 1}}, {1, 1}), 2, 0);
 }
 
-TEST_CASE("the footprint finds what the point was made of", "[11.12]") {
+TEST_CASE("the footprint finds what the point was made of", "[11.14]") {
     Random random(111201);
     for (int i = 0; i < cases(20000); ++i) {
         const Vec3 along = random.direction(), across = random.perpendicular_to(along);
@@ -246,7 +246,7 @@ TEST_CASE("the footprint finds what the point was made of", "[11.12]") {
     }
 }
 
-TEST_CASE("a constant texture is constant in every footprint", "[11.12]") {
+TEST_CASE("a constant texture is constant in every footprint", "[11.14]") {
     Random random(111202);
     const MipMap map = texture(32, 8, [](int, int) { return 0.7; });
     for (int i = 0; i < cases(2000); ++i) {
@@ -257,7 +257,7 @@ TEST_CASE("a constant texture is constant in every footprint", "[11.12]") {
     }
 }
 
-TEST_CASE("a linear texture has its value at uv as the mean", "[11.12]") {
+TEST_CASE("a linear texture has its value at uv as the mean", "[11.14]") {
     Random random(111203);
     const MipMap map = texture(64, 64, [](int i, int j) { return (2 * i + j) / 256.0; });
     for (int i = 0; i < cases(2000); ++i) {
@@ -271,7 +271,7 @@ TEST_CASE("a linear texture has its value at uv as the mean", "[11.12]") {
     }
 }
 
-TEST_CASE("anisotropic lookups are what their definition says, however the pixel is turned", "[11.12]") {
+TEST_CASE("anisotropic lookups are what their definition says, however the pixel is turned", "[11.14]") {
     Random random(111204);
     const MipMap square = hills(32, 32), wide = hills(64, 16);
     for (int i = 0; i < cases(4000); ++i) {
@@ -294,7 +294,7 @@ TEST_CASE("anisotropic lookups are what their definition says, however the pixel
     }
 }
 
-TEST_CASE("a growing footprint changes the colour without jumps", "[11.12]") {
+TEST_CASE("a growing footprint changes the colour without jumps", "[11.14]") {
     Random random(111205);
     const MipMap map = hills(32, 32);
     for (int i = 0; i < cases(2000); ++i) {

@@ -1,4 +1,4 @@
-// Step 11.9 in extreme cases: pictures of any shape, and light of any size.
+// Step 11.6 in extreme cases: pictures of any shape, and light of any size.
 #include "chapters/11_textures/harmonics.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -10,7 +10,7 @@ using namespace rt;
 using test::cases;
 using test::Random;
 
-TEST_CASE("one bright pixel of a picture of any shape", "[11.9][stability]") {
+TEST_CASE("one bright pixel of a picture of any shape", "[11.6][stability]") {
     Random random(1196);
     for (int i = 0; i < cases(2000); ++i) {
         const int width = 1 + static_cast<int>(random.index(40)),
@@ -43,7 +43,7 @@ TEST_CASE("one bright pixel of a picture of any shape", "[11.9][stability]") {
     }
 }
 
-TEST_CASE("a sky of one colour in a picture of any shape", "[11.9][stability]") {
+TEST_CASE("a sky of one colour in a picture of any shape", "[11.6][stability]") {
     Random random(1197);
     for (int i = 0; i < cases(300); ++i) {
         const int width = 1 + static_cast<int>(random.index(100)),

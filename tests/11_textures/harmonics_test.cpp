@@ -1,4 +1,4 @@
-// Step 11.9: diffuse light from the sky.
+// Step 11.6: diffuse light from the sky.
 #include "chapters/11_textures/harmonics.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -99,14 +99,14 @@ Image picture_of(int width, int height, Light light) {
 
 }  // namespace
 
-TEST_CASE("the harmonics along the axes, with the paper's numbers", "[11.9]") {
+TEST_CASE("the harmonics along the axes, with the paper's numbers", "[11.6]") {
     const Real digits = 1e-6;  // the paper prints six
     check_harmonics({1, 0, 0}, {0.282095, 0, 0, 0.488603, 0, 0, -0.315392, 0, 0.546274}, digits);
     check_harmonics({0, 1, 0}, {0.282095, 0.488603, 0, 0, 0, 0, -0.315392, 0, -0.546274}, digits);
     check_harmonics({0, 0, 1}, {0.282095, 0, 0.488603, 0, 0, 0, 0.630783, 0, 0}, digits);
 }
 
-TEST_CASE("the harmonics between the axes", "[11.9]") {
+TEST_CASE("the harmonics between the axes", "[11.6]") {
     const Real r = std::sqrt(Real(0.5)), digits = 1e-6;
     check_harmonics({r, r, 0}, {0.282095, 0.345494, 0, 0.345494, 0.546274, 0, -0.315392, 0, 0}, digits);
     check_harmonics({0, -r, r}, {0.282095, -0.345494, 0.345494, 0, 0, -0.546274, 0.157696, 0, -0.273137},
@@ -114,7 +114,7 @@ TEST_CASE("the harmonics between the axes", "[11.9]") {
     check_harmonics({r, 0, r}, {0.282095, 0, 0.345494, 0.345494, 0, 0, 0.157696, 0.546274, 0.273137}, digits);
 }
 
-TEST_CASE("the squares of a band's harmonics have the same sum in every direction", "[11.9]") {
+TEST_CASE("the squares of a band's harmonics have the same sum in every direction", "[11.6]") {
     Random random(1191);
     for (int i = 0; i < cases(1000); ++i) {
         const Vec3 d = random.direction();
@@ -132,7 +132,7 @@ TEST_CASE("the squares of a band's harmonics have the same sum in every directio
     }
 }
 
-TEST_CASE("the integral of two harmonics is 1 if they are the same, and else 0", "[11.9]") {
+TEST_CASE("the integral of two harmonics is 1 if they are the same, and else 0", "[11.6]") {
     // Gauss's three heights and eight longitudes integrate polynomials of degree 5 exactly; these have 4.
     std::array<std::array<Real, 9>, 9> sums{};
     for (const Real height : {-std::sqrt(Real(0.6)), Real(0), std::sqrt(Real(0.6))})
@@ -151,7 +151,7 @@ TEST_CASE("the integral of two harmonics is 1 if they are the same, and else 0",
         }
 }
 
-TEST_CASE("the lesson's sky: one pixel of eight", "[11.9]") {
+TEST_CASE("the lesson's sky: one pixel of eight", "[11.6]") {
     // Upper row, first column: the middle is (½, √½, ½), the solid angle π/2, the radiance 2.
     const SkyLight light = projected(one_pixel(4, 2, 0, 0, Vec3(2, 0, 1)));
     const std::array<Real, 9> y{0.282095, 0.345494,  0.244301, 0.244301, 0.386274,
@@ -161,7 +161,7 @@ TEST_CASE("the lesson's sky: one pixel of eight", "[11.9]") {
     check_coefficients(light, expected, 4e-6);
 }
 
-TEST_CASE("the lesson's sky lights a surface that faces it with 17/16 of what it should", "[11.9]") {
+TEST_CASE("the lesson's sky lights a surface that faces it with 17/16 of what it should", "[11.6]") {
     const SkyLight light = projected(one_pixel(4, 2, 0, 0, Vec3(2)));
     const Vec3 d{0.5, std::sqrt(Real(0.5)), 0.5}, sideways{std::sqrt(Real(0.5)), 0, -std::sqrt(Real(0.5))};
     const auto check = [&](const Vec3& normal, Real expected) {
@@ -173,7 +173,7 @@ TEST_CASE("the lesson's sky lights a surface that faces it with 17/16 of what it
     check(-d, pi / 16);
 }
 
-TEST_CASE("no irradiance is negative", "[11.9]") {
+TEST_CASE("no irradiance is negative", "[11.6]") {
     const SkyLight light = projected(one_pixel(4, 2, 0, 0, Vec3(2, 0, 1)));
     // Where the cosine is -8/15, nine harmonics have their least value, which is negative.
     const Vec3 d{0.5, std::sqrt(Real(0.5)), 0.5}, sideways{std::sqrt(Real(0.5)), 0, -std::sqrt(Real(0.5))};
@@ -182,7 +182,7 @@ TEST_CASE("no irradiance is negative", "[11.9]") {
     CHECK(test::near_color(irradiance(light, normal), Vec3(0), 0));
 }
 
-TEST_CASE("rows of pixels: the first one is at the top", "[11.9]") {
+TEST_CASE("rows of pixels: the first one is at the top", "[11.6]") {
     // Two rows, one column: the middle of the one pixel is at longitude π and latitude ±π/4, its angle 2π.
     const Real c = 2 * pi * std::sqrt(3 / (8 * pi));
     const SkyLight upper = projected(one_pixel(1, 2, 0, 0, Vec3(1)));
@@ -194,7 +194,7 @@ TEST_CASE("rows of pixels: the first one is at the top", "[11.9]") {
     CHECK(test::near(lower.coefficients[1], Vec3(-c), 100 * u));
 }
 
-TEST_CASE("the solid angles of all pixels sum up to that of the sphere", "[11.9]") {
+TEST_CASE("the solid angles of all pixels sum up to that of the sphere", "[11.6]") {
     for (const auto& size : {std::array{1, 1}, {4, 2}, {3, 5}, {16, 8}, {7, 100}}) {
         const SkyLight light = projected(picture_of(size[0], size[1], [](const Vec3&) { return 1; }));
         INFO("a sky of radiance 1, a picture of " << size[0] << " by " << size[1] << " pixels");
@@ -204,7 +204,7 @@ TEST_CASE("the solid angles of all pixels sum up to that of the sphere", "[11.9]
     }
 }
 
-TEST_CASE("a sky of radiance 1 gives pi, and makes a white surface 1", "[11.9]") {
+TEST_CASE("a sky of radiance 1 gives pi, and makes a white surface 1", "[11.6]") {
     SkyLight light{};
     light.coefficients[0] = Vec3(1, 0.5, 0) * std::sqrt(4 * pi);
     for (const Vec3& normal : {Vec3(0, 1, 0), Vec3(0.6, 0, 0.8), Vec3(0, 0, -1)}) {
@@ -215,7 +215,7 @@ TEST_CASE("a sky of radiance 1 gives pi, and makes a white surface 1", "[11.9]")
     }
 }
 
-TEST_CASE("bright above the horizon and black below it", "[11.9]") {
+TEST_CASE("bright above the horizon and black below it", "[11.6]") {
     // The exact irradiance is π(1 + n.y)/2; nine harmonics give just that.
     SkyLight light{};
     light.coefficients[0] = Vec3(std::sqrt(pi));
@@ -228,7 +228,7 @@ TEST_CASE("bright above the horizon and black below it", "[11.9]") {
     check_coefficients(projected(picture), light.coefficients, 1e-6);
 }
 
-TEST_CASE("each band by itself: x, and xy", "[11.9]") {
+TEST_CASE("each band by itself: x, and xy", "[11.6]") {
     // L = 1 + x gives π + 2π/3 n.x, and L = 1 + xy gives π + π/4 n.x n.y.
     const Polynomial2 x{1, {1, 0, 0}, Mat3(0)};
     const auto check_light = [](const char* sky, const SkyLight& light, const Vec3& normal, Real expected) {
@@ -244,7 +244,7 @@ TEST_CASE("each band by itself: x, and xy", "[11.9]") {
     check_light("1 + xy", of_xy, {0.6, 0, -0.8}, pi);
 }
 
-TEST_CASE("skies of degree 2 are exact", "[11.9]") {
+TEST_CASE("skies of degree 2 are exact", "[11.6]") {
     Random random(1192);
     for (int i = 0; i < cases(3000); ++i) {
         const Polynomial2 sky = any_sky(random);
@@ -258,7 +258,7 @@ TEST_CASE("skies of degree 2 are exact", "[11.9]") {
     }
 }
 
-TEST_CASE("the coefficients of a picture of a sky of degree 2", "[11.9]") {
+TEST_CASE("the coefficients of a picture of a sky of degree 2", "[11.6]") {
     // Eight columns integrate the products exactly. A row errs by its height squared: over all of them by at
     // most 96π/24·(π/16384)² M, M being the greatest product of light and harmonic. That is less than 3·0.64.
     Random random(1193);
@@ -270,7 +270,7 @@ TEST_CASE("the coefficients of a picture of a sky of degree 2", "[11.9]") {
     }
 }
 
-TEST_CASE("any sky without negative light is right within 3/32 of all its light", "[11.9]") {
+TEST_CASE("any sky without negative light is right within 3/32 of all its light", "[11.6]") {
     Random random(1194);
     for (int i = 0; i < cases(300); ++i) {
         // Up to eight bright pixels: what each gives is its light times the cosine, if that is positive.
@@ -294,7 +294,7 @@ TEST_CASE("any sky without negative light is right within 3/32 of all its light"
     }
 }
 
-TEST_CASE("a smooth sky of degree 4, against a sum over the hemisphere", "[11.9]") {
+TEST_CASE("a smooth sky of degree 4, against a sum over the hemisphere", "[11.6]") {
     // L = (1 + b·d)⁴, which is not negative. Of what is beyond degree 2, the cosine takes away degree 3 and
     // leaves π/24 of degree 4; that is less than 3/32 of all the light.
     Random random(1195);
@@ -318,7 +318,7 @@ TEST_CASE("a smooth sky of degree 4, against a sum over the hemisphere", "[11.9]
     }
 }
 
-TEST_CASE("the light of skies as scenes have them", "[11.9]") {
+TEST_CASE("the light of skies as scenes have them", "[11.6]") {
     {
         INFO("the first coefficient of a sky that is (0.5, 1, 2) everywhere: that times the root of 4 pi");
         const SkyLight grey = sky_light(ConstantSky{{0.5, 1, 2}});

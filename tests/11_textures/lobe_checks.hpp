@@ -40,7 +40,15 @@ void check_below(const Kind& lobe) {
         CHECK(test::near_color(evaluate(lobe, right, below), Vec3(0), 0));
         CHECK(near(pdf(lobe, below, right), 0, 0));
         CHECK(near(pdf(lobe, right, below), 0, 0));
-        CHECK_FALSE(sample(lobe, below, Vec3(0.25)).has_value());
+    }
+}
+
+/// And no light is drawn for a viewer who is not above the surface.
+template <class Kind>
+void check_nothing_drawn_below(const Kind& lobe) {
+    for (const Vec3& below : {Vec3(0, 0, -1), Vec3(right.x, 0, -right.z), Vec3(1, 0, 0)}) {
+        INFO("to the viewer " << below << ", who is not above the surface");
+        CHECK(or_say(!sample(lobe, below, Vec3(0.25)).has_value(), "light is drawn for him"));
     }
 }
 

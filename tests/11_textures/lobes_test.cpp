@@ -1,4 +1,4 @@
-// Steps 11.13 to 11.17 under one name: a Lobe answers as what it is.
+// Steps 11.15 to 11.22 under one name: a Lobe answers as what it is.
 #include "chapters/11_textures/lobes.hpp"
 #include "tests/11_textures/lobe_checks.hpp"
 #include "tests/catch.hpp"
@@ -32,16 +32,16 @@ void check_as(const Kind& kind, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("a lobe that is matte answers so", "[11.13]") { check_as(Matte{{0.2, 0.4, 0.6}, 0.5}, 11180); }
+TEST_CASE("a lobe that is matte answers so", "[11.15]") { check_as(Matte{{0.2, 0.4, 0.6}, 0.5}, 11180); }
 
-TEST_CASE("a lobe of rough metal answers so", "[11.14]") {
+TEST_CASE("a lobe of rough metal answers so", "[11.17]") {
     check_as(RoughMetal{{0.2, 0.4, 0.6}, 0.5}, 11181);
 }
 
-TEST_CASE("a lobe of rough glass answers so", "[11.15]") {
+TEST_CASE("a lobe of rough glass answers so", "[11.19]") {
     check_as(RoughGlass{{0.2, 0.4, 0.6}, 0.5, 1.5}, 11182);
 }
 
-TEST_CASE("a lobe of velvet answers so", "[11.16]") { check_as(Velvet{{0.2, 0.4, 0.6}, 0.5}, 11183); }
+TEST_CASE("a lobe of velvet answers so", "[11.21]") { check_as(Velvet{{0.2, 0.4, 0.6}, 0.5}, 11183); }
 
-TEST_CASE("a lobe of coated paint answers so", "[11.17]") { check_as(Coated{{0.2, 0.4, 0.6}, 1.5}, 11184); }
+TEST_CASE("a lobe of coated paint answers so", "[11.22]") { check_as(Coated{{0.2, 0.4, 0.6}, 1.5}, 11184); }

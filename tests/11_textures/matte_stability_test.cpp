@@ -1,4 +1,4 @@
-// Step 11.13 near the horizon, and at the ends of its numbers.
+// Step 11.15 near the horizon, and at the ends of its numbers.
 #include "chapters/11_textures/matte.hpp"
 #include "common/math/error.hpp"
 #include "tests/11_textures/lobe_checks.hpp"
@@ -13,7 +13,7 @@ using test::cases;
 using test::near;
 using test::Random;
 
-TEST_CASE("matte lobes near the horizon", "[11.13][stability]") {
+TEST_CASE("matte lobes near the horizon", "[11.15][stability]") {
     Random random(11134);
     for (int i = 0; i < cases(5000); ++i) {
         const Real sigma = random.uniform(0, 1), z = random.magnitude(-8, 0), w = random.magnitude(-8, 0);
@@ -34,7 +34,7 @@ TEST_CASE("matte lobes near the horizon", "[11.13][stability]") {
     }
 }
 
-TEST_CASE("matte samples by the last of the random numbers", "[11.13][stability]") {
+TEST_CASE("matte samples by the last of the random numbers", "[11.15][stability]") {
     const Real last = 1 - 0x1p-53;
     for (const Real a : {0.0, 1e-300, 0.5, last})
         for (const Real b : {0.0, 1e-300, 0.5, last})

@@ -1,4 +1,4 @@
-// Step 11.13: matte surfaces.
+// Step 11.15: matte surfaces.
 #include "chapters/11_textures/matte.hpp"
 #include "common/math/error.hpp"
 #include "tests/11_textures/lobe_checks.hpp"
@@ -34,13 +34,13 @@ Vec3 furnace(const Matte& matte, const Vec3& v, int n) {
 
 }  // namespace
 
-TEST_CASE("without roughness it is Lambert's: colour over pi from everywhere", "[11.13]") {
+TEST_CASE("without roughness it is Lambert's: colour over pi from everywhere", "[11.15]") {
     const Matte matte{{0.2, 0.4, 0.6}, 0};
     for (const Vec3& l : {up, right, left, towards(85, 70)})
         for (const Vec3& v : {up, right, left, towards(20, -30)}) check_lobe(matte, l, v, 1 / pi);
 }
 
-TEST_CASE("a rough matte surface seen from straight above", "[11.13]") {
+TEST_CASE("a rough matte surface seen from straight above", "[11.15]") {
     // s = 0. With σ = 1 what is left is 1/(π + (3π − 4)/6) = 6/(9π − 4).
     check_lobe({Vec3(1), 1}, right, up, 6 / (9 * pi - 4));
     check_lobe({{0.1, 0.5, 0.9}, 1}, up, up, 6 / (9 * pi - 4));
@@ -48,27 +48,28 @@ TEST_CASE("a rough matte surface seen from straight above", "[11.13]") {
     check_lobe({Vec3(1), 1}, right, {0, std::sqrt(3.0) / 2, 0.5}, 6 / (9 * pi - 4));
 }
 
-TEST_CASE("a rough matte surface is bright where the light is behind the viewer", "[11.13]") {
+TEST_CASE("a rough matte surface is bright where the light is behind the viewer", "[11.15]") {
     // 60° and 60° on the same side: s = 3/4, t = (3/4)/(1/2) = 3/2, with σ = 1 the factor 1 + 3/2.
     check_lobe({Vec3(1), 1}, right, right, 2.5 * 6 / (9 * pi - 4));
     // With σ = 1/2: (1 + 3/4)/(π + (3π − 4)/12) = 21/(15π − 4).
     check_lobe({Vec3(1), 0.5}, right, right, 21 / (15 * pi - 4));
 }
 
-TEST_CASE("a rough matte surface is dark where the light comes towards the viewer", "[11.13]") {
+TEST_CASE("a rough matte surface is dark where the light comes towards the viewer", "[11.15]") {
     // s = −3/4, and is not divided: with σ = 1 the factor is 1 − 3/4.
     check_lobe({Vec3(1), 1}, left, right, 0.25 * 6 / (9 * pi - 4));
 }
 
-TEST_CASE("the greater of the cosines divides", "[11.13]") {
+TEST_CASE("the greater of the cosines divides", "[11.15]") {
     // 60° and 30°: cosines 1/2 and √3/2; s = √3/4, t = 1/2.
     const Vec3 high{0.5, 0, std::sqrt(3.0) / 2};
     check_lobe({Vec3(1), 1}, right, high, 1.5 * 6 / (9 * pi - 4));
     check_lobe({Vec3(1), 1}, high, right, 1.5 * 6 / (9 * pi - 4));
 }
 
-TEST_CASE("below the surface a matte lobe is 0", "[11.13]") {
+TEST_CASE("below the surface a matte lobe is 0", "[11.15]") {
     test::check_below(Matte{Vec3(1), 0.7});
+    test::check_nothing_drawn_below(Matte{Vec3(1), 0.7});
     for (const Vec3& below : {Vec3(0, 0, -1), Vec3(right.x, 0, -0.5), Vec3(1, 0, 0)}) {
         INFO("one direction is " << below << ", the other " << right);
         CHECK(near(oren_nayar_1994(0.7, below, right), 0, 0));
@@ -76,7 +77,7 @@ TEST_CASE("below the surface a matte lobe is 0", "[11.13]") {
     }
 }
 
-TEST_CASE("Oren and Nayar's model of 1994 at angles by hand", "[11.13]") {
+TEST_CASE("Oren and Nayar's model of 1994 at angles by hand", "[11.15]") {
     // σ² = 0.09: A = 1 − 0.045/0.42 = 25/28 and B = 0.225.
     const Real a = 25.0 / 28;
     INFO("sigma = 0.3");
@@ -89,7 +90,7 @@ TEST_CASE("Oren and Nayar's model of 1994 at angles by hand", "[11.13]") {
     CHECK(near(oren_nayar_1994(0, right, right), 1 / pi, gamma(8)));
 }
 
-TEST_CASE("Oren and Nayar's model of 1994 is their formula in angles", "[11.13]") {
+TEST_CASE("Oren and Nayar's model of 1994 is their formula in angles", "[11.15]") {
     Random random(11130);
     for (int i = 0; i < cases(2000); ++i) {
         const Real sigma = random.uniform(0, 1.5);
@@ -106,7 +107,7 @@ TEST_CASE("Oren and Nayar's model of 1994 is their formula in angles", "[11.13]"
     }
 }
 
-TEST_CASE("a point of the disc is lifted onto the hemisphere", "[11.13]") {
+TEST_CASE("a point of the disc is lifted onto the hemisphere", "[11.15]") {
     const auto check_direction = [](Real a, Real b, const Vec3& expected, Real bound) {
         INFO("the direction from the random numbers a = " << a << ", b = " << b);
         CHECK(test::near_direction(cosine_direction(a, b), expected, bound));
@@ -117,14 +118,14 @@ TEST_CASE("a point of the disc is lifted onto the hemisphere", "[11.13]") {
     check_direction(0.25, 0.25, {0, 0.5, std::sqrt(3.0) / 2}, gamma(8));
 }
 
-TEST_CASE("the density of directions from a matte surface is cos over pi", "[11.13]") {
+TEST_CASE("the density of directions from a matte surface is cos over pi", "[11.15]") {
     INFO("pdf of a direction to the light, seen from 60 degrees: straight up 1/pi");
     CHECK(near(pdf(Matte{}, up, right), 1 / pi, gamma(4)));
     INFO("and 60 degrees from the normal, seen from above, half of that");
     CHECK(near(pdf(Matte{}, right, up), 0.5 / pi, gamma(4)));
 }
 
-TEST_CASE("the weight of a sample is f cos/pdf", "[11.13]") {
+TEST_CASE("the weight of a sample is f cos/pdf", "[11.15]") {
     // Lambert's: the weight is the colour, wherever the sample goes.
     const auto drawn = sample(Matte{{0.2, 0.4, 0.6}, 0}, right, {0.75, 0.5, 0});
     {
@@ -151,7 +152,7 @@ TEST_CASE("the weight of a sample is f cos/pdf", "[11.13]") {
     }
 }
 
-TEST_CASE("a matte lobe is the same with light and viewer exchanged", "[11.13]") {
+TEST_CASE("a matte lobe is the same with light and viewer exchanged", "[11.15]") {
     Random random(11132);
     for (int i = 0; i < cases(2000); ++i) {
         const Matte matte{Vec3(1), random.uniform(0, 1)};
@@ -163,7 +164,7 @@ TEST_CASE("a matte lobe is the same with light and viewer exchanged", "[11.13]")
     }
 }
 
-TEST_CASE("a matte surface returns no more light than it gets", "[11.13]") {
+TEST_CASE("a matte surface returns no more light than it gets", "[11.15]") {
     // From straight above σ = 1 returns π·6/(9π − 4), from the horizon all. The midpoint rule has 64² cells,
     // and errs by 9e-5 at most, for σ = 1 at the horizon.
     {
@@ -182,7 +183,7 @@ TEST_CASE("a matte surface returns no more light than it gets", "[11.13]") {
         }
 }
 
-TEST_CASE("directions from a matte surface are as dense as they claim", "[11.13]") {
+TEST_CASE("directions from a matte surface are as dense as they claim", "[11.15]") {
     const Matte matte{Vec3(1), 0.5};
     const auto draw = [&](const Vec3& numbers) { return sample(matte, right, numbers); };
     const auto density = [&](const Vec3& l) { return pdf(matte, l, right); };

@@ -1,4 +1,4 @@
-// Step 11.14 near the horizon, and with facets that are nearly all alike.
+// Steps 11.16 and 11.17 near the horizon, and with facets that are nearly all alike.
 #include "chapters/11_textures/microfacet.hpp"
 #include "common/math/error.hpp"
 #include "tests/11_textures/lobe_checks.hpp"
@@ -32,7 +32,7 @@ Real exact_lobe(Real alpha, const Vec3& l, const Vec3& v) {
 
 }  // namespace
 
-TEST_CASE("densities of facets from smooth to rough", "[11.14][stability]") {
+TEST_CASE("densities of facets from smooth to rough", "[11.16][stability]") {
     Random random(11145);
     for (int i = 0; i < cases(5000); ++i) {
         const Real alpha = random.magnitude(-8, 0), sine = random.magnitude(-12, 0) * 0.999999;
@@ -44,7 +44,7 @@ TEST_CASE("densities of facets from smooth to rough", "[11.14][stability]") {
     }
 }
 
-TEST_CASE("rough metal near the horizon and nearly smooth", "[11.14][stability]") {
+TEST_CASE("rough metal near the horizon and nearly smooth", "[11.16][stability]") {
     Random random(11146);
     for (int i = 0; i < cases(5000); ++i) {
         const Real roughness = random.magnitude(-4, 0), z = random.magnitude(-8, 0);
@@ -69,7 +69,7 @@ TEST_CASE("rough metal near the horizon and nearly smooth", "[11.14][stability]"
     }
 }
 
-TEST_CASE("samples of rough metal at the ends of all numbers", "[11.14][stability]") {
+TEST_CASE("samples of rough metal at the ends of all numbers", "[11.17][stability]") {
     const Real last = 1 - 0x1p-53;
     for (const Real a : {0.0, 1e-300, 1e-10, 0.25, 0.5, 0.75, last})
         for (const Real b : {0.0, 1e-300, 1e-10, 0.25, 0.5, 0.75, last})
@@ -92,7 +92,7 @@ TEST_CASE("samples of rough metal at the ends of all numbers", "[11.14][stabilit
                 }
 }
 
-TEST_CASE("nearly smooth metal is drawn as densely as it claims", "[11.14][stability]") {
+TEST_CASE("nearly smooth metal is drawn as densely as it claims", "[11.17][stability]") {
     for (const Real roughness : {1e-4, 1e-2})
         for (const Real cosine : {1e-2, 0.5, 1.0}) {
             const RoughMetal metal{Vec3(1), roughness};

@@ -1,4 +1,4 @@
-// Step 11.14: microfacets, and rough metal.
+// Steps 11.16 and 11.17: microfacets, and rough metal.
 #include "chapters/11_textures/microfacet.hpp"
 #include "common/math/error.hpp"
 #include "tests/11_textures/lobe_checks.hpp"
@@ -70,7 +70,7 @@ void check_lobe(const RoughMetal& metal, const Vec3& l, const Vec3& v, const Vec
 
 }  // namespace
 
-TEST_CASE("the density of facets at angles by hand", "[11.14]") {
+TEST_CASE("the density of facets at angles by hand", "[11.16]") {
     // Straight up 1/(π α²).
     check_density(0.5, up, 4 / pi, gamma(20) * 2);
     check_density(0.1, up, 100 / pi, gamma(20) * 40);
@@ -80,19 +80,19 @@ TEST_CASE("the density of facets at angles by hand", "[11.14]") {
     check_density(0.5, slanted, 0.64 / pi, gamma(20));
 }
 
-TEST_CASE("the density of facets of a nearly smooth surface", "[11.14]") {
+TEST_CASE("the density of facets of a nearly smooth surface", "[11.16]") {
     // sin θ = α = 1e-8: a quarter of 1/(π α²). 1 − cos² would be 0.
     check_density(1e-8, {1e-8, 0, 1}, 0.25e16 / pi, gamma(20) * 1e15);
     check_density(1e-8, up, 1e16 / pi, gamma(20) * 4e15);
 }
 
-TEST_CASE("no facets lie or hang", "[11.14]") {
+TEST_CASE("no facets lie or hang", "[11.16]") {
     check_density(0.5, {1, 0, 0}, 0, 0);
     check_density(0.5, {0, 0, -1}, 0, 0);
     check_density(1, {std::sqrt(0.5), 0, -std::sqrt(0.5)}, 0, 0);
 }
 
-TEST_CASE("the part of facets that is seen, at angles by hand", "[11.14]") {
+TEST_CASE("the part of facets that is seen, at angles by hand", "[11.16]") {
     check_seen(0.5, up, 1, gamma(12));
     check_seen(1, right, Real(2) / 3, gamma(12));
     // α = 1/2 at 45°: 2/(1 + √(1 + 1/4)).
@@ -102,7 +102,7 @@ TEST_CASE("the part of facets that is seen, at angles by hand", "[11.14]") {
     check_seen(0.5, {0, 0, -1}, 0, 0);
 }
 
-TEST_CASE("all facets together cover the surface once", "[11.14]") {
+TEST_CASE("all facets together cover the surface once", "[11.16]") {
     // The sum of D·cos is 1, and that of the facets seen from v, G₁·(v·h)·D, as much as v sees of the
     // surface.
     for (const Real alpha : {0.01, 0.3, 1.0}) {
@@ -126,7 +126,7 @@ TEST_CASE("all facets together cover the surface once", "[11.14]") {
     }
 }
 
-TEST_CASE("rough metal at angles by hand", "[11.14]") {
+TEST_CASE("rough metal at angles by hand", "[11.16]") {
     const RoughMetal white{Vec3(1), half_alpha};
     // Straight up and back: D/4 = 1/(4π α²).
     check_lobe(white, up, up, Vec3(1 / pi));
@@ -144,9 +144,9 @@ TEST_CASE("rough metal at angles by hand", "[11.14]") {
                (Vec3(1, 0.68, 0.04) + missing * Vec3(0, 0.32, 0.96)) * (32 / (49 * pi) * g1));
 }
 
-TEST_CASE("below the surface rough metal is 0", "[11.14]") { test::check_below(RoughMetal{Vec3(1), 0.7}); }
+TEST_CASE("below the surface rough metal is 0", "[11.16]") { test::check_below(RoughMetal{Vec3(1), 0.7}); }
 
-TEST_CASE("the density of rough metal's directions by hand", "[11.14]") {
+TEST_CASE("the density of rough metal's directions by hand", "[11.16]") {
     const RoughMetal metal{Vec3(1), half_alpha};
     {
         INFO("pdf for alpha 0.5, to the light and to the viewer straight up: D/4 = 1/pi");
@@ -157,7 +157,7 @@ TEST_CASE("the density of rough metal's directions by hand", "[11.14]") {
     CHECK(near(pdf(metal, left, right), 8 / (pi * (2 + std::sqrt(7.0))), gamma(64)));
 }
 
-TEST_CASE("half of the facets seen from above are within alpha", "[11.14]") {
+TEST_CASE("half of the facets seen from above are within alpha", "[11.17]") {
     // tan²θ = α²·u/(1 − u) for uniform u: u < 1/2 is tan θ < α.
     for (const Real alpha : {1e-8, 0.1, 1.0}) {
         int within = 0;
@@ -171,7 +171,11 @@ TEST_CASE("half of the facets seen from above are within alpha", "[11.14]") {
     }
 }
 
-TEST_CASE("facets are drawn as they are seen", "[11.14]") {
+TEST_CASE("nobody below the surface is shown rough metal", "[11.17]") {
+    test::check_nothing_drawn_below(RoughMetal{Vec3(1), 0.7});
+}
+
+TEST_CASE("facets are drawn as they are seen", "[11.17]") {
     for (const Real alpha : {0.01, 0.4, 1.0})
         for (const Real angle : {0.0, 50.0, 85.0}) {
             const Vec3 v = towards(angle, 25);
@@ -193,7 +197,7 @@ TEST_CASE("facets are drawn as they are seen", "[11.14]") {
         }
 }
 
-TEST_CASE("rough metal mirrors light by a facet", "[11.14]") {
+TEST_CASE("rough metal mirrors light by a facet", "[11.17]") {
     Random random(11141);
     int drawn = 0;
     for (int i = 0; i < cases(2000); ++i) {
@@ -219,7 +223,7 @@ TEST_CASE("rough metal mirrors light by a facet", "[11.14]") {
     CHECK(drawn >= test::demanded(cases(1000), cases(500)));
 }
 
-TEST_CASE("directions from rough metal are as dense as they claim", "[11.14]") {
+TEST_CASE("directions from rough metal are as dense as they claim", "[11.17]") {
     for (const Real roughness : {0.1, 0.5, 1.0})
         for (const Real angle : {0.0, 60.0, 85.0}) {
             const RoughMetal metal{Vec3(1), roughness};
@@ -232,7 +236,7 @@ TEST_CASE("directions from rough metal are as dense as they claim", "[11.14]") {
         }
 }
 
-TEST_CASE("rough metal is the same with light and viewer exchanged", "[11.14]") {
+TEST_CASE("rough metal is the same with light and viewer exchanged", "[11.16]") {
     Random random(11143);
     for (int i = 0; i < cases(2000); ++i) {
         const RoughMetal metal{{0.3, 0.6, 1}, random.uniform(0.1, 1)};
@@ -243,7 +247,7 @@ TEST_CASE("rough metal is the same with light and viewer exchanged", "[11.14]") 
     }
 }
 
-TEST_CASE("rough metal by tangents, as Walter and others wrote it", "[11.14]") {
+TEST_CASE("rough metal by tangents, as Walter and others wrote it", "[11.16]") {
     Random random(11144);
     for (int i = 0; i < cases(2000); ++i) {
         const RoughMetal metal{{1, 0.5, 0}, random.uniform(0.1, 1)};
@@ -258,7 +262,7 @@ TEST_CASE("rough metal by tangents, as Walter and others wrote it", "[11.14]") {
     }
 }
 
-TEST_CASE("rough metal returns no more light than it gets", "[11.14]") {
+TEST_CASE("rough metal returns no more light than it gets", "[11.16]") {
     for (const Real roughness : {0.05, 0.3, 0.6, 1.0})
         for (const Real angle : {0.0, 45.0, 80.0}) {
             INFO("roughness " << roughness << ", viewer " << angle << " degrees from the normal");

@@ -1,4 +1,4 @@
-// Step 11.4: noise at places where numbers run out of digits.
+// Steps 11.7 and 11.10: noise at places where numbers run out of digits.
 #include "chapters/11_textures/noise.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -65,15 +65,21 @@ const std::vector<Known> known{
 
 }  // namespace
 
-TEST_CASE("noise far from the origin has all its digits", "[11.4][stability]") {
+TEST_CASE("noise far from the origin has all its digits", "[11.7][stability]") {
     for (const Known& at : known) {
         INFO("at " << at.p);
         CHECK(test::near(noise(at.p), at.value, noise_bound));
+    }
+}
+
+TEST_CASE("the gradient of the noise far from the origin has all its digits", "[11.10][stability]") {
+    for (const Known& at : known) {
+        INFO("at " << at.p);
         CHECK(test::near(noise_gradient(at.p), at.gradient, gradient_bound));
     }
 }
 
-TEST_CASE("cells are right for coordinates of every size", "[11.4][stability]") {
+TEST_CASE("cells are right for coordinates of every size", "[11.7][stability]") {
     Random random(11411);
     for (int i = 0; i < cases(20000); ++i) {
         const Vec3 p = random.magnitude(-20, 30) * random.in_cube();
@@ -93,28 +99,53 @@ TEST_CASE("cells are right for coordinates of every size", "[11.4][stability]") 
     }
 }
 
-TEST_CASE("from 2^53 on every point is of the lattice", "[11.4][stability]") {
+namespace {
+
+/// A point so far away that all its coordinates are whole numbers.
+Vec3 beyond_2_53(Random& random) {
+    const Real x = random.sign(), y = random.sign(), z = random.sign();
+    return 0x1p53 / 0.5 * random.magnitude(0, 290) * Vec3(x, y, z);
+}
+
+}  // namespace
+
+TEST_CASE("from 2^53 on every point is of the lattice", "[11.7][stability]") {
     Random random(11412);
     for (int i = 0; i < cases(5000); ++i) {
-        const Vec3 p =
-            0x1p53 / 0.5 * random.magnitude(0, 290) * Vec3(random.sign(), random.sign(), random.sign());
+        const Vec3 p = beyond_2_53(random);
         INFO("noise at " << p);
         CHECK(test::near(noise(p), 0, 0));
+    }
+}
+
+TEST_CASE("the gradient of the noise is finite from 2^53 on", "[11.10][stability]") {
+    Random random(11415);
+    for (int i = 0; i < cases(5000); ++i) {
+        const Vec3 p = beyond_2_53(random);
+        INFO("gradient of the noise at " << p);
         CHECK(test::is_finite(noise_gradient(p)));
     }
 }
 
-TEST_CASE("noise beside the lattice tends to 0 from both sides", "[11.4][stability]") {
+TEST_CASE("noise beside the lattice tends to 0 from both sides", "[11.7][stability]") {
     Random random(11413);
     for (int i = 0; i < cases(5000); ++i) {
         const Vec3 away = random.magnitude(-300, -17) * random.in_cube();
         INFO("noise at " << away);
         CHECK(test::near(noise(away), 0, noise_bound));
+    }
+}
+
+TEST_CASE("the gradient beside the lattice tends to the lattice's from both sides", "[11.10][stability]") {
+    Random random(11416);
+    for (int i = 0; i < cases(5000); ++i) {
+        const Vec3 away = random.magnitude(-300, -17) * random.in_cube();
+        INFO("gradient of the noise at " << away);
         CHECK(test::near(noise_gradient(away), {1, 0, 1}, gradient_bound));
     }
 }
 
-TEST_CASE("turbulence is finite and not negative everywhere", "[11.4][stability]") {
+TEST_CASE("turbulence is finite and not negative everywhere", "[11.7][stability]") {
     Random random(11414);
     for (int i = 0; i < cases(2000); ++i) {
         const Vec3 p = random.magnitude(-300, 307) * random.in_cube();

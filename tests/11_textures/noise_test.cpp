@@ -1,4 +1,4 @@
-// Step 11.4: Perlin's improved noise.
+// Steps 11.7 and 11.10: Perlin's improved noise, and its gradient.
 #include "chapters/11_textures/noise.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -96,7 +96,7 @@ const std::vector<Known> known{
 
 }  // namespace
 
-TEST_CASE("fade is 0, 1/2 and 1 at 0, 1/2 and 1", "[11.4]") {
+TEST_CASE("fade is 0, 1/2 and 1 at 0, 1/2 and 1", "[11.7]") {
     const auto check_fade = [](Real t, Real expected, Real bound) {
         INFO("6t^5 - 15t^4 + 10t^3 at t = " << t);
         CHECK(test::near(fade(t), expected, bound));
@@ -107,26 +107,26 @@ TEST_CASE("fade is 0, 1/2 and 1 at 0, 1/2 and 1", "[11.4]") {
     check_fade(0.25, 0.103515625, fade_bound);  // 10/64 - 15/256 + 6/1024
 }
 
-TEST_CASE("the cell of a point is below it on every axis", "[11.4]") {
+TEST_CASE("the cell of a point is below it on every axis", "[11.7]") {
     check_cell({1.25, 2.5, 3.75}, {1, 2, 3}, {0.25, 0.5, 0.75});
     check_cell({4, 5, 6}, {4, 5, 6}, {0, 0, 0});
     check_cell({0.5, 255.5, 100}, {0, 255, 100}, {0.5, 0.5, 0});
 }
 
-TEST_CASE("cells repeat after 256, also below 0", "[11.4]") {
+TEST_CASE("cells repeat after 256, also below 0", "[11.7]") {
     check_cell({256.5, 257.25, 1000}, {0, 1, 232}, {0.5, 0.25, 0});
     check_cell({-0.25, -1, -1.25}, {255, 255, 254}, {0.75, 0, 0.75});
     check_cell({-256, -256.5, -512.25}, {0, 255, 255}, {0, 0.5, 0.75});
 }
 
-TEST_CASE("noise between two corners is as computed by hand", "[11.4]") {
+TEST_CASE("noise between two corners is as computed by hand", "[11.7]") {
     // The gradients at 0, 1 and 2 on the x axis are (1, 0, 1), (1, 0, -1) and (-1, -1, 0).
     check_noise({0.25, 0, 0}, 0.146484375);  // 0.896484375 * 1/4 - 0.103515625 * 3/4
     check_noise({0.5, 0, 0}, 0);             // the two cancel
     check_noise({1.5, 0, 0}, 0.5);           // both say 1/2
 }
 
-TEST_CASE("noise is 0 at the points of the lattice", "[11.4]") {
+TEST_CASE("noise is 0 at the points of the lattice", "[11.7]") {
     for (int x = -3; x <= 3; ++x)
         for (int y = -3; y <= 3; ++y)
             for (int z = 254; z <= 258; ++z) {
@@ -135,11 +135,11 @@ TEST_CASE("noise is 0 at the points of the lattice", "[11.4]") {
             }
 }
 
-TEST_CASE("noise is that of Perlin's program", "[11.4]") {
+TEST_CASE("noise is that of Perlin's program", "[11.7]") {
     for (const Known& at : known) check_noise(at.p, at.value);
 }
 
-TEST_CASE("noise repeats after 256 along each axis", "[11.4]") {
+TEST_CASE("noise repeats after 256 along each axis", "[11.7]") {
     Random random(11401);
     for (int i = 0; i < cases(2000); ++i) {
         // Sixteenths of a whole number stay what they are when 256 is added.
@@ -151,7 +151,7 @@ TEST_CASE("noise repeats after 256 along each axis", "[11.4]") {
     }
 }
 
-TEST_CASE("the gradient at a point of the lattice is the one of the lattice", "[11.4]") {
+TEST_CASE("the gradient at a point of the lattice is the one of the lattice", "[11.10]") {
     check_gradient({0, 0, 0}, {1, 0, 1});
     check_gradient({1, 0, 0}, {1, 0, -1});
     check_gradient({2, 0, 0}, {-1, -1, 0});
@@ -159,17 +159,17 @@ TEST_CASE("the gradient at a point of the lattice is the one of the lattice", "[
         for (int j = -2; j <= 2; ++j) check_gradient({i, j, 7}, lattice_gradient(i, j, 7));
 }
 
-TEST_CASE("the gradient between two corners is as computed by hand", "[11.4]") {
+TEST_CASE("the gradient between two corners is as computed by hand", "[11.10]") {
     // With u for fade: (1 - u) * 1 + u * 1 + u' * (-3/4 - 1/4), where u' = 30/256 - 60/64 + 30/16
     // = 1.0546875; along z it is (1 - u) * 1 + u * (-1).
     check_gradient({0.25, 0, 0}, {-0.0546875, 0, 0.79296875});
 }
 
-TEST_CASE("the gradient is that of Perlin's noise by exact fractions", "[11.4]") {
+TEST_CASE("the gradient is that of Perlin's noise by exact fractions", "[11.10]") {
     for (const Known& at : known) check_gradient(at.p, at.gradient);
 }
 
-TEST_CASE("the gradient is what differences of the noise tend to", "[11.4]") {
+TEST_CASE("the gradient is what differences of the noise tend to", "[11.10]") {
     Random random(11402);
     const Real step = 0x1p-17;
     // The third derivatives are at most 60 * 2 * 2 for fade's and less for the others, so the difference is
@@ -188,8 +188,12 @@ TEST_CASE("the gradient is what differences of the noise tend to", "[11.4]") {
     }
 }
 
-TEST_CASE("noise and its gradient go on smoothly from cell to cell", "[11.4]") {
-    Random random(11403);
+namespace {
+
+/// Calls `check(before, after, gap)` for points just before and just after the sides of cells.
+template <class Check>
+void across_sides(std::uint64_t seed, Check check) {
+    Random random(seed);
     const Real gap = 0x1p-30;
     for (int i = 0; i < cases(5000); ++i) {
         Vec3 p = Real(100) * random.in_cube();
@@ -198,13 +202,27 @@ TEST_CASE("noise and its gradient go on smoothly from cell to cell", "[11.4]") {
         Vec3 before = p, after = p;
         before[axis] -= gap, after[axis] += gap;
         INFO("just before and just after the side of a cell at " << p);
-        // The gradient is of size 4 at most, and changes by 30 a unit at most.
-        CHECK(test::near(noise(after), noise(before), 8 * gap + 2 * noise_bound));
-        CHECK(test::near(noise_gradient(after), noise_gradient(before), 60 * gap + 2 * gradient_bound));
+        check(before, after, gap);
     }
 }
 
-TEST_CASE("turbulence is the sum of the sizes of the octaves", "[11.4]") {
+}  // namespace
+
+TEST_CASE("noise goes on smoothly from cell to cell", "[11.7]") {
+    across_sides(11403, [](const Vec3& before, const Vec3& after, Real gap) {
+        // The gradient is of size 4 at most.
+        CHECK(test::near(noise(after), noise(before), 8 * gap + 2 * noise_bound));
+    });
+}
+
+TEST_CASE("the gradient of the noise goes on smoothly from cell to cell", "[11.10]") {
+    across_sides(11404, [](const Vec3& before, const Vec3& after, Real gap) {
+        // It changes by 30 a unit at most.
+        CHECK(test::near(noise_gradient(after), noise_gradient(before), 60 * gap + 2 * gradient_bound));
+    });
+}
+
+TEST_CASE("turbulence is the sum of the sizes of the octaves", "[11.7]") {
     const Vec3 p(0.25, 0, 0);
     // Octaves: 0.146484375 at 1/4, 0 at 1/2, 0 at 1, and so on.
     INFO("turbulence at " << p << ", whose first octave is 0.146484375 and the second 0");

@@ -1,4 +1,4 @@
-// Step 11.5: patterns at places where numbers run out of digits.
+// Step 11.8: patterns at places where numbers run out of digits.
 #include "chapters/11_textures/pattern.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -37,14 +37,14 @@ const std::vector<Known> far_marble{
 
 }  // namespace
 
-TEST_CASE("marble is right far from the origin", "[11.5][stability]") {
+TEST_CASE("marble is right far from the origin", "[11.8][stability]") {
     for (const Known& at : far_marble) {
         INFO("marble at " << at.q);
         CHECK(test::near(marble_value(at.q), at.value, 40000 * unit_roundoff));
     }
 }
 
-TEST_CASE("patterns are in [0, 1] everywhere", "[11.5][stability]") {
+TEST_CASE("patterns are in [0, 1] everywhere", "[11.8][stability]") {
     Random random(11511);
     for (int i = 0; i < cases(5000); ++i) {
         // As far as a scene may be large and a pattern small.
@@ -57,7 +57,7 @@ TEST_CASE("patterns are in [0, 1] everywhere", "[11.5][stability]") {
     }
 }
 
-TEST_CASE("stripes far away are as even as near", "[11.5][stability]") {
+TEST_CASE("stripes far away are as even as near", "[11.8][stability]") {
     Random random(11512);
     for (int i = 0; i < cases(5000); ++i) {
         const auto whole = static_cast<std::int64_t>(std::ldexp(1.0, static_cast<int>(random.index(53))) *
@@ -73,7 +73,7 @@ TEST_CASE("stripes far away are as even as near", "[11.5][stability]") {
     }
 }
 
-TEST_CASE("a scene times a power of two has the same colours to the bit", "[11.5][stability]") {
+TEST_CASE("a scene times a power of two has the same colours to the bit", "[11.8][stability]") {
     Random random(11513);
     for (int i = 0; i < cases(2000); ++i) {
         const Vec3 point = random.magnitude(-3, 3) * random.in_cube();
@@ -89,7 +89,7 @@ TEST_CASE("a scene times a power of two has the same colours to the bit", "[11.5
     }
 }
 
-TEST_CASE("colours of every size are mixed without overflow", "[11.5][stability]") {
+TEST_CASE("colours of every size are mixed without overflow", "[11.8][stability]") {
     Random random(11514);
     for (int i = 0; i < cases(2000); ++i) {
         const Vec3 first = random.magnitude(-30, 30) * glm::abs(random.in_cube());

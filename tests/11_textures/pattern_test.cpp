@@ -1,4 +1,4 @@
-// Step 11.5: patterns in space.
+// Step 11.8: patterns in space.
 #include "chapters/11_textures/pattern.hpp"
 
 #include "chapters/11_textures/cells.hpp"
@@ -90,26 +90,26 @@ const std::vector<Known> known_wood{
 
 }  // namespace
 
-TEST_CASE("stripes are one unit thick", "[11.5]") {
+TEST_CASE("stripes are one unit thick", "[11.8]") {
     check_stripe({0.5, 7.5, 7.5}, 0);
     check_stripe({1.5, 0, 0}, 1);
     check_stripe({2.5, 1.5, 0}, 0);
 }
 
-TEST_CASE("stripes go on evenly below 0", "[11.5]") {
+TEST_CASE("stripes go on evenly below 0", "[11.8]") {
     check_stripe({-0.5, 0, 0}, 1);
     check_stripe({-1.5, 0, 0}, 0);
     check_stripe({-2.5, 0, 0}, 1);
 }
 
-TEST_CASE("a point between two stripes belongs to the upper one", "[11.5]") {
+TEST_CASE("a point between two stripes belongs to the upper one", "[11.8]") {
     check_stripe({0, 0, 0}, 0);
     check_stripe({1, 0, 0}, 1);
     check_stripe({2, 0, 0}, 0);
     check_stripe({-1, 0, 0}, 1);
 }
 
-TEST_CASE("rings are shells around the y axis", "[11.5]") {
+TEST_CASE("rings are shells around the y axis", "[11.8]") {
     check_ring({0, 5.5, 0}, 0);
     check_ring({0.5, 1.5, 0.5}, 0);  // 0.707
     check_ring({1, 0, 1}, 1);        // 1.414
@@ -118,7 +118,7 @@ TEST_CASE("rings are shells around the y axis", "[11.5]") {
     check_ring({3, 9.5, 4}, 1);  // 5
 }
 
-TEST_CASE("the gradient begins again at each whole number", "[11.5]") {
+TEST_CASE("the gradient begins again at each whole number", "[11.8]") {
     check_gradient({0.5, 0.25, 0.5}, 0.25);
     check_gradient({0, 1.75, 0}, 0.75);
     check_gradient({0, 3, 0}, 0);
@@ -126,48 +126,48 @@ TEST_CASE("the gradient begins again at each whole number", "[11.5]") {
     check_gradient({0, -2, 0}, 0);
 }
 
-TEST_CASE("marble where the turbulence is 0 is a wave along x", "[11.5]") {
+TEST_CASE("marble where the turbulence is 0 is a wave along x", "[11.8]") {
     check_marble({0, 4, 8}, 0.5);  // sin(0)
     check_marble({4, 0, 0}, 0.5);  // sin(4 pi)
     check_marble({-4, 8, 0}, 0.5);
 }
 
-TEST_CASE("marble at (1, 0, 0) is as computed by hand", "[11.5]") {
+TEST_CASE("marble at (1, 0, 0) is as computed by hand", "[11.8]") {
     // q/4 = (1/4, 0, 0): the first octave is 0.146484375, all others 0. s = 1 + 4 * 0.146484375 = 1.5859375.
     check_marble({1, 0, 0}, 0.018111967102280066);
 }
 
-TEST_CASE("marble far from the origin still has its waves", "[11.5]") {
+TEST_CASE("marble far from the origin still has its waves", "[11.8]") {
     check_marble({0x1p52, 0, 0}, 0.5);
     check_marble({0x1p41 + 1, 0, 0}, 0.018111967102280066);
 }
 
-TEST_CASE("marble is that of a computation with 50 digits", "[11.5]") {
+TEST_CASE("marble is that of a computation with 50 digits", "[11.8]") {
     for (const Known& at : known_marble) check_marble(at.q, at.value);
 }
 
-TEST_CASE("wood at (2, 0, 0) is as computed by hand", "[11.5]") {
+TEST_CASE("wood at (2, 0, 0) is as computed by hand", "[11.8]") {
     check_wood({2, 0, 0}, 0.29296875);  // 2 + 2 * 0.146484375, the noise at (1/4, 0, 0)
     check_wood({0, 8, 0}, 0);           // on the axis, at a point of the lattice
 }
 
-TEST_CASE("wood is that of a computation with 50 digits", "[11.5]") {
+TEST_CASE("wood is that of a computation with 50 digits", "[11.8]") {
     for (const Known& at : known_wood) check_wood(at.q, at.value);
 }
 
-TEST_CASE("the colours of a pattern are those of its ends, to the bit", "[11.5]") {
+TEST_CASE("the colours of a pattern are those of its ends, to the bit", "[11.8]") {
     const SolidPattern stripes{PatternKind::Stripes, 1, {0.1, 1e10, 1e-3}, {0.3, 0.7, 0.9}};
     check_color(stripes, {0.5, 0, 0}, {0.1, 1e10, 1e-3}, 0);
     check_color(stripes, {1.5, 0, 0}, {0.3, 0.7, 0.9}, 0);
 }
 
-TEST_CASE("a pattern's colours are mixed in proportion", "[11.5]") {
+TEST_CASE("a pattern's colours are mixed in proportion", "[11.8]") {
     const SolidPattern gradient{PatternKind::Gradient, 1, red, blue};
     check_color(gradient, {0, 0.25, 0}, {0.75, 0.3125, 0.1875}, gamma(4));
     check_color(gradient, {0, 0.5, 0}, {0.5, 0.375, 0.375}, gamma(4));
 }
 
-TEST_CASE("a pattern's size is that of one stripe", "[11.5]") {
+TEST_CASE("a pattern's size is that of one stripe", "[11.8]") {
     const SolidPattern stripes{PatternKind::Stripes, 4, red, blue};
     check_color(stripes, {3, 0, 0}, red, 0);
     check_color(stripes, {5, 0, 0}, blue, 0);
@@ -175,7 +175,7 @@ TEST_CASE("a pattern's size is that of one stripe", "[11.5]") {
     check_color({PatternKind::Rings, 0.5, red, blue}, {0, 0, 0.75}, blue, 0);
 }
 
-TEST_CASE("values of stripes, rings and gradients at random places", "[11.5]") {
+TEST_CASE("values of stripes, rings and gradients at random places", "[11.8]") {
     Random random(11501);
     for (int i = 0; i < cases(5000); ++i) {
         // A whole number, and clearly more than it.
@@ -192,7 +192,7 @@ TEST_CASE("values of stripes, rings and gradients at random places", "[11.5]") {
     }
 }
 
-TEST_CASE("the pattern of cells is dark on the walls", "[11.6]") {
+TEST_CASE("the pattern of cells is dark on the walls", "[11.9]") {
     // Twice the difference of the two distances, wherever one looks.
     Random random(11502);
     for (int i = 0; i < cases(2000); ++i) {

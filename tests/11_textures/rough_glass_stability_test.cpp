@@ -1,4 +1,4 @@
-// Step 11.15 near the horizon, and with facets that are nearly all alike.
+// Steps 11.18 and 11.19 near the horizon, and with facets that are nearly all alike.
 #include "chapters/11_textures/rough_glass.hpp"
 #include "common/math/error.hpp"
 #include "tests/11_textures/lobe_checks.hpp"
@@ -13,7 +13,7 @@ using test::cases;
 using test::near;
 using test::Random;
 
-TEST_CASE("rough glass from everywhere to everywhere", "[11.15][stability]") {
+TEST_CASE("rough glass from everywhere to everywhere", "[11.18][stability]") {
     Random random(11154);
     for (int i = 0; i < cases(10000); ++i) {
         const RoughGlass glass{Vec3(1), random.magnitude(-4, 0), 1 + random.magnitude(-2, 0.47)};
@@ -36,7 +36,7 @@ TEST_CASE("rough glass from everywhere to everywhere", "[11.15][stability]") {
     }
 }
 
-TEST_CASE("samples of rough glass at the ends of all numbers", "[11.15][stability]") {
+TEST_CASE("samples of rough glass at the ends of all numbers", "[11.19][stability]") {
     const Real last = 1 - 0x1p-53;
     for (const Real a : {0.0, 1e-300, 1e-10, 0.5, last})
         for (const Real b : {0.0, 0.25, 0.5, last})
@@ -55,7 +55,7 @@ TEST_CASE("samples of rough glass at the ends of all numbers", "[11.15][stabilit
                     }
 }
 
-TEST_CASE("nearly smooth glass is drawn as densely as it claims", "[11.15][stability]") {
+TEST_CASE("nearly smooth glass is drawn as densely as it claims", "[11.19][stability]") {
     for (const Real roughness : {1e-4, 1e-2})
         for (const Real cosine : {-1.0, -0.9, -0.3, 0.1, 0.5, 1.0}) {
             const RoughGlass glass{Vec3(1), roughness, 1.5};

@@ -1,4 +1,4 @@
-// Step 11.15: rough glass.
+// Steps 11.18 and 11.19: rough glass.
 #include "chapters/11_textures/rough_glass.hpp"
 #include "common/math/error.hpp"
 #include "tests/11_textures/lobe_checks.hpp"
@@ -115,7 +115,7 @@ void check_lobe(const Vec3& l, const Vec3& v, Real f) {
 
 }  // namespace
 
-TEST_CASE("the facet that mirrors, outside and inside", "[11.15]") {
+TEST_CASE("the facet that mirrors, outside and inside", "[11.18]") {
     check_facet(up, up, up);
     check_facet(left, right, up);
     check_facet(up, right, {0.5, 0, std::sqrt(0.75)});
@@ -125,7 +125,7 @@ TEST_CASE("the facet that mirrors, outside and inside", "[11.15]") {
     check_facet(down, left_below, {0.5, 0, std::sqrt(0.75)});
 }
 
-TEST_CASE("the facet that lets through", "[11.15]") {
+TEST_CASE("the facet that lets through", "[11.18]") {
     check_facet(down, up, up);
     check_facet(up, down, up);
     check_facet(bent, right, up);
@@ -136,7 +136,7 @@ TEST_CASE("the facet that lets through", "[11.15]") {
     check_facet(l, up, sum / std::sqrt(sum.x * sum.x + sum.z * sum.z));
 }
 
-TEST_CASE("no facet bends light that far, or is seen from behind", "[11.15]") {
+TEST_CASE("no facet bends light that far, or is seen from behind", "[11.18]") {
     // On the same side of the normal, 60° above and 60° below.
     check_no_facet(right_below, right);
     check_no_facet(right, right_below);
@@ -150,7 +150,7 @@ TEST_CASE("no facet bends light that far, or is seen from behind", "[11.15]") {
     check_no_facet({0.6, 0, 0.8}, {-std::sqrt(1 - 0.01), 0, -0.1});
 }
 
-TEST_CASE("rough glass mirrors, by hand", "[11.15]") {
+TEST_CASE("rough glass mirrors, by hand", "[11.18]") {
     // Straight F = 0.04 and D/4 = 1/π, on both sides.
     check_lobe(up, up, 0.04 / pi);
     check_lobe(down, down, 0.04 / pi);
@@ -165,7 +165,7 @@ TEST_CASE("rough glass mirrors, by hand", "[11.15]") {
     check_lobe(left_below, right_below, 4 / pi * g1_right * g1_right);
 }
 
-TEST_CASE("rough glass lets through, by hand", "[11.15]") {
+TEST_CASE("rough glass lets through, by hand", "[11.18]") {
     // Straight from outside: 0.96·D·1.5²/(1.5 − 1)² = 0.96·(4/π)·9; from inside without the 1.5².
     check_lobe(down, up, 34.56 / pi);
     check_lobe(up, down, 15.36 / pi);
@@ -177,7 +177,7 @@ TEST_CASE("rough glass lets through, by hand", "[11.15]") {
     check_lobe(right, bent, f / 2.25);
 }
 
-TEST_CASE("coloured glass colours what it mirrors and what it lets through", "[11.15]") {
+TEST_CASE("coloured glass colours what it mirrors and what it lets through", "[11.18]") {
     const RoughGlass green{{0, 1, 0.5}, pane.roughness, 1.5};
     INFO("glass of colour (0, 1, 0.5), light and viewer straight above: what it mirrors");
     CHECK(near_color(evaluate(green, up, up), Vec3(0, 1, 0.5) * (0.04 / pi), gamma(128)));
@@ -185,7 +185,7 @@ TEST_CASE("coloured glass colours what it mirrors and what it lets through", "[1
     CHECK(near_color(evaluate(green, down, up), Vec3(0, 1, 0.5) * (34.56 / pi), gamma(128) * 12));
 }
 
-TEST_CASE("the density of rough glass's directions by hand", "[11.15]") {
+TEST_CASE("the density of rough glass's directions by hand", "[11.18]") {
     const auto check_pdf = [](const Vec3& l, const Vec3& v, Real expected, Real bound) {
         INFO("pdf for alpha 0.5 and index 1.5, to the light " << l << ", to the viewer " << v);
         CHECK(near(pdf(pane, l, v), expected, bound));
@@ -197,7 +197,7 @@ TEST_CASE("the density of rough glass's directions by hand", "[11.15]") {
     check_pdf(left_below, right_below, 2 / pi * g1_right, gamma(128));
 }
 
-TEST_CASE("nearly smooth glass bends light as smooth glass does", "[11.15]") {
+TEST_CASE("nearly smooth glass bends light as smooth glass does", "[11.19]") {
     const auto check_bent = [](const Vec3& v, const Vec3& expected) {
         INFO("roughness 0.001 and index 1.5, to the viewer " << v
                                                              << ", a number that lets through: to the light");
@@ -210,7 +210,7 @@ TEST_CASE("nearly smooth glass bends light as smooth glass does", "[11.15]") {
     check_bent(bent, right);
 }
 
-TEST_CASE("rough glass, drawn by a facet", "[11.15]") {
+TEST_CASE("rough glass, drawn by a facet", "[11.19]") {
     Random random(11150);
     int mirrored = 0, through = 0;
     for (int i = 0; i < cases(4000); ++i) {
@@ -237,7 +237,7 @@ TEST_CASE("rough glass, drawn by a facet", "[11.15]") {
     CHECK(through >= test::demanded(cases(1000), cases(500)));
 }
 
-TEST_CASE("directions from rough glass are as dense as they claim", "[11.15]") {
+TEST_CASE("directions from rough glass are as dense as they claim", "[11.19]") {
     for (const Real roughness : {0.2, 0.6})
         for (const Real angle : {0.0, 60.0, 85.0, 105.0, 145.0, 180.0}) {
             const RoughGlass glass{Vec3(1), roughness, 1.5};
@@ -251,7 +251,7 @@ TEST_CASE("directions from rough glass are as dense as they claim", "[11.15]") {
         }
 }
 
-TEST_CASE("rough glass with light and viewer exchanged is another by n squared", "[11.15]") {
+TEST_CASE("rough glass with light and viewer exchanged is another by n squared", "[11.18]") {
     Random random(11152);
     for (int i = 0; i < cases(4000); ++i) {
         const RoughGlass glass{{0.3, 0.6, 1}, random.uniform(0.1, 1), random.uniform(1.1, 2.5)};
@@ -266,7 +266,7 @@ TEST_CASE("rough glass with light and viewer exchanged is another by n squared",
     }
 }
 
-TEST_CASE("rough glass by tangents, as Walter and others wrote it", "[11.15]") {
+TEST_CASE("rough glass by tangents, as Walter and others wrote it", "[11.18]") {
     Random random(11153);
     for (int i = 0; i < cases(4000); ++i) {
         const RoughGlass glass{{1, 0.5, 0}, random.uniform(0.1, 1), random.uniform(1.1, 2.5)};
@@ -281,7 +281,7 @@ TEST_CASE("rough glass by tangents, as Walter and others wrote it", "[11.15]") {
     }
 }
 
-TEST_CASE("rough glass returns no more light than it gets", "[11.15]") {
+TEST_CASE("rough glass returns no more light than it gets", "[11.18]") {
     for (const Real roughness : {0.1, 0.4, 1.0})
         for (const Real angle : {0.0, 45.0, 80.0, 100.0, 135.0, 180.0}) {
             INFO("roughness " << roughness << ", index 1.5, viewer " << angle << " degrees from the normal");

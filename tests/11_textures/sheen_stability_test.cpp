@@ -1,4 +1,4 @@
-// Step 11.16 near the horizon, and with facets that are nearly all upright.
+// Steps 11.20 and 11.21 near the horizon, and with facets that are nearly all upright.
 #include "chapters/11_textures/sheen.hpp"
 #include "common/math/error.hpp"
 #include "tests/11_textures/lobe_checks.hpp"
@@ -19,7 +19,7 @@ using Long = long double;
 
 }  // namespace
 
-TEST_CASE("densities of velvet's facets from upright to flat", "[11.16][stability]") {
+TEST_CASE("densities of velvet's facets from upright to flat", "[11.20][stability]") {
     Random random(11164);
     for (int i = 0; i < cases(5000); ++i) {
         const Real sigma = random.magnitude(-4, 0);
@@ -35,7 +35,7 @@ TEST_CASE("densities of velvet's facets from upright to flat", "[11.16][stabilit
     }
 }
 
-TEST_CASE("velvet near the horizon", "[11.16][stability]") {
+TEST_CASE("velvet near the horizon", "[11.20][stability]") {
     Random random(11165);
     for (int i = 0; i < cases(5000); ++i) {
         const Real sigma = random.magnitude(-4, 0), z = random.magnitude(-8, 0), w = random.magnitude(-8, 0);
@@ -60,7 +60,7 @@ TEST_CASE("velvet near the horizon", "[11.16][stability]") {
     }
 }
 
-TEST_CASE("samples of velvet at the ends of all numbers", "[11.16][stability]") {
+TEST_CASE("samples of velvet at the ends of all numbers", "[11.21][stability]") {
     const Real last = 1 - 0x1p-53;
     for (const Real a : {0.0, 1e-300, 1e-10, 0.5, last})
         for (const Real b : {0.0, 1e-300, 0.25, 0.5, last})

@@ -1,4 +1,4 @@
-// Step 11.16: velvet.
+// Steps 11.20 and 11.21: velvet.
 #include "chapters/11_textures/sheen.hpp"
 #include "common/math/error.hpp"
 #include "tests/11_textures/lobe_checks.hpp"
@@ -75,7 +75,7 @@ void check_pdf(const Vec3& l, const Vec3& v, Real expected) {
 
 }  // namespace
 
-TEST_CASE("the density of velvet's facets at angles by hand", "[11.16]") {
+TEST_CASE("the density of velvet's facets at angles by hand", "[11.20]") {
     // Upright facets: cot = 0, sin = 1.
     check_density(1, {1, 0, 0}, 1 / pi, gamma(16));
     check_density(0.5, {0, -1, 0}, 4 / pi, gamma(32));
@@ -86,14 +86,14 @@ TEST_CASE("the density of velvet's facets at angles by hand", "[11.16]") {
     check_density(1, right, 16 / (9 * pi) * std::exp(-1.0 / 3), gamma(32));
 }
 
-TEST_CASE("no facet of velvet lies flat or hangs", "[11.16]") {
+TEST_CASE("no facet of velvet lies flat or hangs", "[11.20]") {
     check_density(1, up, 0, 0);
     check_density(0.3, {1e-200, 0, 1}, 0, 0);
     check_density(0.3, {1e-3, 0, 1}, 0, 0);
     check_density(1, {std::sqrt(0.75), 0, -0.5}, 0, 0);
 }
 
-TEST_CASE("velvet's facets together cover the surface once", "[11.16]") {
+TEST_CASE("velvet's facets together cover the surface once", "[11.20]") {
     for (const Real sigma : {0.1, 0.5, 1.0}) {
         test::Chart facets;
         facets.at = [=](Real a, Real b) -> std::optional<test::ChartPoint> {
@@ -106,7 +106,7 @@ TEST_CASE("velvet's facets together cover the surface once", "[11.16]") {
     }
 }
 
-TEST_CASE("the part of a facet that its partner leaves, by hand", "[11.16]") {
+TEST_CASE("the part of a facet that its partner leaves, by hand", "[11.20]") {
     check_left(up, up, 1);
     // w and h 60° from the normal: 2·½·½/1.
     check_left(right, right, 0.5);
@@ -122,14 +122,14 @@ TEST_CASE("the part of a facet that its partner leaves, by hand", "[11.16]") {
     check_left(right, forth, 1);
 }
 
-TEST_CASE("velvet is black from above", "[11.16]") {
+TEST_CASE("velvet is black from above", "[11.20]") {
     const Velvet velvet{Vec3(1), 0.3};
     check_lobe(velvet, up, up, Vec3(0), 0);
     // Mirrored by the surface itself, too: the facet would have to lie flat.
     check_lobe(velvet, left, right, Vec3(0), 0);
 }
 
-TEST_CASE("velvet at angles by hand", "[11.16]") {
+TEST_CASE("velvet at angles by hand", "[11.20]") {
     const Velvet velvet{{1, 0.5, 0}, 1};
     // 60° and back: D = 16/(9π)·exp(−1/3), G = ½, 4·l.z·v.z = 1.
     check_lobe(velvet, right, right, Vec3(1, 0.5, 0) * (8 / (9 * pi) * std::exp(-1.0 / 3)), gamma(64));
@@ -143,9 +143,9 @@ TEST_CASE("velvet at angles by hand", "[11.16]") {
                gamma(64));
 }
 
-TEST_CASE("below the surface velvet is 0", "[11.16]") { test::check_below(Velvet{Vec3(1), 0.7}); }
+TEST_CASE("below the surface velvet is 0", "[11.20]") { test::check_below(Velvet{Vec3(1), 0.7}); }
 
-TEST_CASE("the density of velvet's directions by hand", "[11.16]") {
+TEST_CASE("the density of velvet's directions by hand", "[11.20]") {
     // 60° and back: D·½/(4·½).
     check_pdf(right, right, 4 / (9 * pi) * std::exp(-1.0 / 3));
     // To the light 60°, to the viewer 30°: D = 4/(π e), of v 2·√½·(√3/2)/cos 15° is more than all, 4·v.z =
@@ -153,7 +153,11 @@ TEST_CASE("the density of velvet's directions by hand", "[11.16]") {
     check_pdf(right, steep, 2 / (pi * std::exp(1.0) * std::sqrt(3.0)));
 }
 
-TEST_CASE("velvet mirrors light by a facet", "[11.16]") {
+TEST_CASE("nobody below the surface is shown velvet", "[11.21]") {
+    test::check_nothing_drawn_below(Velvet{Vec3(1), 0.7});
+}
+
+TEST_CASE("velvet mirrors light by a facet", "[11.21]") {
     Random random(11160);
     int drawn = 0;
     for (int i = 0; i < cases(2000); ++i) {
@@ -178,7 +182,7 @@ TEST_CASE("velvet mirrors light by a facet", "[11.16]") {
     CHECK(drawn >= test::demanded(cases(400), cases(200)));
 }
 
-TEST_CASE("directions from velvet are as dense as they claim", "[11.16]") {
+TEST_CASE("directions from velvet are as dense as they claim", "[11.21]") {
     for (const Real roughness : {0.2, 0.5, 1.0})
         for (const Real angle : {0.0, 60.0, 85.0}) {
             const Velvet velvet{Vec3(1), roughness};
@@ -191,7 +195,7 @@ TEST_CASE("directions from velvet are as dense as they claim", "[11.16]") {
         }
 }
 
-TEST_CASE("velvet is the same with light and viewer exchanged", "[11.16]") {
+TEST_CASE("velvet is the same with light and viewer exchanged", "[11.20]") {
     Random random(11162);
     for (int i = 0; i < cases(2000); ++i) {
         const Velvet velvet{{0.3, 0.6, 1}, random.uniform(0.1, 1)};
@@ -202,7 +206,7 @@ TEST_CASE("velvet is the same with light and viewer exchanged", "[11.16]") {
     }
 }
 
-TEST_CASE("velvet by angles, as in Cycles", "[11.16]") {
+TEST_CASE("velvet by angles, as in Cycles", "[11.20]") {
     Random random(11163);
     for (int i = 0; i < cases(2000); ++i) {
         const Velvet velvet{Vec3(1), random.uniform(0.1, 1)};
@@ -216,7 +220,7 @@ TEST_CASE("velvet by angles, as in Cycles", "[11.16]") {
     }
 }
 
-TEST_CASE("velvet returns no more light than it gets", "[11.16]") {
+TEST_CASE("velvet returns no more light than it gets", "[11.20]") {
     // The midpoint rule on 64² cells errs by 2e-4 at most.
     for (const Real roughness : {0.1, 0.3, 0.6, 1.0}) {
         for (const Real angle : {0.0, 45.0, 80.0}) {

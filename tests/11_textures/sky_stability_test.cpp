@@ -1,5 +1,5 @@
-// Step 11.8 in extreme cases: directions close to poles, middles and rims, and huge and tiny ones, against
-// long double.
+// Steps 11.4 and 11.5 in extreme cases: directions close to poles, middles and rims, and huge and tiny ones,
+// against long double.
 #include "chapters/11_textures/sky.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -64,7 +64,7 @@ const std::array maps{SkyMap::LatitudeLongitude, SkyMap::MirrorBall, SkyMap::Ang
 }  // namespace
 
 TEST_CASE("the place of any direction, however close to a pole, the middle or the rim, and of any length",
-          "[11.8][stability]") {
+          "[11.4][stability]") {
     Random random(1182);
     for (int i = 0; i < cases(30000); ++i) {
         const SkyMap map = maps[random.index(3)];
@@ -86,7 +86,7 @@ TEST_CASE("the place of any direction, however close to a pole, the middle or th
     }
 }
 
-TEST_CASE("axis directions whose zeros have either sign", "[11.8][stability]") {
+TEST_CASE("axis directions whose zeros have either sign", "[11.4][stability]") {
     for (const Real a : {0.0, -0.0})
         for (const Real b : {0.0, -0.0})
             for (const Real sign : {1.0, -1.0}) {
@@ -101,7 +101,7 @@ TEST_CASE("axis directions whose zeros have either sign", "[11.8][stability]") {
             }
 }
 
-TEST_CASE("the direction at any place, up to the edges and the rim", "[11.8][stability]") {
+TEST_CASE("the direction at any place, up to the edges and the rim", "[11.5][stability]") {
     Random random(1183);
     const Real u = unit_roundoff;
     for (int i = 0; i < cases(30000); ++i) {
@@ -144,7 +144,7 @@ TEST_CASE("the direction at any place, up to the edges and the rim", "[11.8][sta
     }
 }
 
-TEST_CASE("a gradient's colour for directions of any length", "[11.8][stability]") {
+TEST_CASE("a gradient's colour for directions of any length", "[11.4][stability]") {
     Random random(1184);
     for (int i = 0; i < cases(3000); ++i) {
         const GradientSky sky{random.in_cube(), random.in_cube(), random.in_cube()};

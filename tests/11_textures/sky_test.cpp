@@ -1,4 +1,4 @@
-// Step 11.8: what is seen in a direction of the sky.
+// Steps 11.4 and 11.5: what is seen in a direction of the sky.
 #include "chapters/11_textures/sky.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
@@ -38,19 +38,19 @@ const Vec3 example{-1, std::sqrt(Real(2)), 1};
 
 }  // namespace
 
-TEST_CASE("the lesson's direction on a map of the world", "[11.8]") {
+TEST_CASE("the lesson's direction on a map of the world", "[11.4]") {
     check_uv(SkyMap::LatitudeLongitude, example, {0.375, 0.75});
 }
 
-TEST_CASE("the lesson's direction in a light probe", "[11.8]") {
+TEST_CASE("the lesson's direction in a light probe", "[11.4]") {
     check_uv(SkyMap::Angular, example, {0.5 - std::sqrt(1.0 / 27), 0.5 + std::sqrt(2.0 / 27)});
 }
 
-TEST_CASE("the lesson's direction on a mirrored ball", "[11.8]") {
+TEST_CASE("the lesson's direction on a mirrored ball", "[11.4]") {
     check_uv(SkyMap::MirrorBall, example, {0.5 - std::sqrt(1.0 / 48), 0.5 + std::sqrt(1.0 / 24)});
 }
 
-TEST_CASE("level directions go once around the map of the world", "[11.8]") {
+TEST_CASE("level directions go once around the map of the world", "[11.4]") {
     check_uv(SkyMap::LatitudeLongitude, {0, 0, 2}, {0.25, 0.5}, unit_roundoff);
     check_uv(SkyMap::LatitudeLongitude, {-2, 0, 0}, {0.5, 0.5}, unit_roundoff);
     check_uv(SkyMap::LatitudeLongitude, {0, 0, -2}, {0.75, 0.5}, unit_roundoff);
@@ -58,14 +58,14 @@ TEST_CASE("level directions go once around the map of the world", "[11.8]") {
     check_uv(SkyMap::LatitudeLongitude, {1, 0, -1}, {0.875, 0.5});
 }
 
-TEST_CASE("where the map of the world begins it also ends", "[11.8]") {
+TEST_CASE("where the map of the world begins it also ends", "[11.4]") {
     const Vec2 uv = sky_uv(SkyMap::LatitudeLongitude, {3, 0, 0});
     INFO("u is " << uv.x << "; 0 and 1 are right");
     CHECK((uv.x == 0 || uv.x == 1));
     CHECK(test::near(uv.y, 0.5, unit_roundoff));
 }
 
-TEST_CASE("straight up is the map's top and straight down its bottom, at some u of the picture", "[11.8]") {
+TEST_CASE("straight up is the map's top and straight down its bottom, at some u of the picture", "[11.4]") {
     for (const Real y : {5.0, -5.0}) {
         const Vec2 uv = sky_uv(SkyMap::LatitudeLongitude, {0, y, 0});
         INFO("direction (0, " << y << ", 0), uv " << uv);
@@ -74,17 +74,17 @@ TEST_CASE("straight up is the map's top and straight down its bottom, at some u 
     }
 }
 
-TEST_CASE("the middle of a ball's picture is +z, of a light probe -z", "[11.8]") {
+TEST_CASE("the middle of a ball's picture is +z, of a light probe -z", "[11.4]") {
     check_uv(SkyMap::MirrorBall, {0, 0, 3}, {0.5, 0.5}, unit_roundoff);
     check_uv(SkyMap::Angular, {0, 0, -3}, {0.5, 0.5}, unit_roundoff);
 }
 
-TEST_CASE("the direction that is all around the rim is shown at its right end", "[11.8]") {
+TEST_CASE("the direction that is all around the rim is shown at its right end", "[11.4]") {
     check_uv(SkyMap::MirrorBall, {0, 0, -3}, {1, 0.5}, unit_roundoff);
     check_uv(SkyMap::Angular, {0, 0, 3}, {1, 0.5}, unit_roundoff);
 }
 
-TEST_CASE("right, left, up and down in the pictures of discs", "[11.8]") {
+TEST_CASE("right, left, up and down in the pictures of discs", "[11.4]") {
     const Real r = half_root / 2;  // sin 45°, in halves of the picture
     check_uv(SkyMap::MirrorBall, {2, 0, 0}, {0.5 + r, 0.5});
     check_uv(SkyMap::MirrorBall, {-2, 0, 0}, {0.5 - r, 0.5});
@@ -96,7 +96,7 @@ TEST_CASE("right, left, up and down in the pictures of discs", "[11.8]") {
     check_uv(SkyMap::Angular, {0, -2, 0}, {0.5, 0.25}, unit_roundoff);
 }
 
-TEST_CASE("a billionth away from the pole, the middle and the rim", "[11.8]") {
+TEST_CASE("a billionth away from the pole, the middle and the rim", "[11.4]") {
     // Angles so small that tangent, sine and angle are the same number.
     const Real tiny = 1e-9;
     check_uv(SkyMap::LatitudeLongitude, {0, 1, tiny}, {0.25, 1 - tiny / pi});
@@ -107,7 +107,7 @@ TEST_CASE("a billionth away from the pole, the middle and the rim", "[11.8]") {
     check_uv(SkyMap::Angular, {-tiny, 0, 1}, {tiny / (2 * pi), 0.5});
 }
 
-TEST_CASE("the directions of a map of the world", "[11.8]") {
+TEST_CASE("the directions of a map of the world", "[11.5]") {
     check_direction(SkyMap::LatitudeLongitude, {0, 0.5}, {1, 0, 0});
     check_direction(SkyMap::LatitudeLongitude, {0.25, 0.5}, {0, 0, 1});
     check_direction(SkyMap::LatitudeLongitude, {0.5, 0.5}, {-1, 0, 0});
@@ -116,14 +116,14 @@ TEST_CASE("the directions of a map of the world", "[11.8]") {
     check_direction(SkyMap::LatitudeLongitude, {0.375, 0.75}, example / Real(2));
 }
 
-TEST_CASE("the directions of a light probe", "[11.8]") {
+TEST_CASE("the directions of a light probe", "[11.5]") {
     check_direction(SkyMap::Angular, {0.5, 0.5}, {0, 0, -1});
     check_direction(SkyMap::Angular, {0.75, 0.5}, {1, 0, 0});
     check_direction(SkyMap::Angular, {0.5, 0.25}, {0, -1, 0});
     check_direction(SkyMap::Angular, {0.5, 0.625}, {0, half_root, -half_root});
 }
 
-TEST_CASE("the directions of a mirrored ball", "[11.8]") {
+TEST_CASE("the directions of a mirrored ball", "[11.5]") {
     check_direction(SkyMap::MirrorBall, {0.5, 0.5}, {0, 0, 1});
     check_direction(SkyMap::MirrorBall, {0.8, 0.5}, {0.96, 0, 0.28});
     check_direction(SkyMap::MirrorBall, {0.5, 0.1}, {0, -0.96, -0.28});
@@ -131,7 +131,7 @@ TEST_CASE("the directions of a mirrored ball", "[11.8]") {
                     example / Real(2));
 }
 
-TEST_CASE("outside of the disc there is nothing", "[11.8]") {
+TEST_CASE("outside of the disc there is nothing", "[11.5]") {
     for (const SkyMap map : {SkyMap::MirrorBall, SkyMap::Angular})
         for (const Vec2& uv : {Vec2(0, 0), Vec2(1, 0), Vec2(0.1, 0.9), Vec2(0.8536, 0.8536)}) {
             const std::optional<Vec3> direction = sky_direction(map, uv);
@@ -144,7 +144,7 @@ TEST_CASE("outside of the disc there is nothing", "[11.8]") {
     }
 }
 
-TEST_CASE("there and back: the place of the direction at a place", "[11.8]") {
+TEST_CASE("there and back: the place of the direction at a place", "[11.5]") {
     Random random(1181);
     for (int i = 0; i < cases(3000); ++i) {
         const Vec2 uv{random.uniform(0.01, 0.99), random.uniform(0.01, 0.99)};
@@ -162,7 +162,7 @@ TEST_CASE("there and back: the place of the direction at a place", "[11.8]") {
     }
 }
 
-TEST_CASE("a gradient mixes the horizon's colour with the zenith's or the nadir's by the height", "[11.8]") {
+TEST_CASE("a gradient mixes the horizon's colour with the zenith's or the nadir's by the height", "[11.4]") {
     const GradientSky sky{{0, 0.5, 1}, {1, 1, 1}, {0.5, 0.25, 0}};
     const auto check = [&](const Vec3& direction, const Vec3& expected) {
         INFO("zenith (0, 0.5, 1), horizon (1, 1, 1), nadir (0.5, 0.25, 0); direction " << direction);
@@ -177,7 +177,7 @@ TEST_CASE("a gradient mixes the horizon's colour with the zenith's or the nadir'
     check({0, -8, -6}, {0.6, 0.4, 0.2});
 }
 
-TEST_CASE("a direction is turned clockwise, so that the picture turns counterclockwise", "[11.8]") {
+TEST_CASE("a direction is turned clockwise, so that the picture turns counterclockwise", "[11.4]") {
     const auto check_turned = [](const Vec3& d, Real degrees, const Vec3& expected) {
         INFO("the direction " << d << " in a sky whose picture is turned by " << degrees << " degrees");
         CHECK(test::near_direction(turned(d, turn_by(radians(degrees))), expected, 4 * unit_roundoff));
@@ -188,7 +188,7 @@ TEST_CASE("a direction is turned clockwise, so that the picture turns counterclo
     check_turned({1, 0, 0}, 180, {-1, 0, 0});
 }
 
-TEST_CASE("the sky's light: one colour, a gradient", "[11.8]") {
+TEST_CASE("the sky's light: one colour, a gradient", "[11.4]") {
     const Sky grey = ConstantSky{{0.5, 0.25, 0.125}};
     {
         INFO("a sky that is (0.5, 0.25, 0.125) everywhere, in the direction (1, 2, 3)");
@@ -222,7 +222,7 @@ void check_seen(SkyMap map, Real degrees, const Vec3& direction, const Vec3& exp
 
 }  // namespace
 
-TEST_CASE("a picture of the sky: between the centres of its pixels, and around", "[11.8]") {
+TEST_CASE("a picture of the sky: between the centres of its pixels, and around", "[11.4]") {
     const SkyMap map = SkyMap::LatitudeLongitude;
     check_seen(map, 0, {1, 0, 1}, {0, 0, 0.5});    // u = ⅛: the middle of the first column
     check_seen(map, 0, {0, 0, 1}, {0.5, 0, 0.5});  // u = ¼: between the first and the second
@@ -235,14 +235,14 @@ TEST_CASE("a picture of the sky: between the centres of its pixels, and around",
     check_seen(map, 0, {1, -10, 1}, {0, 0, 0});
 }
 
-TEST_CASE("a picture of the sky, turned", "[11.8]") {
+TEST_CASE("a picture of the sky, turned", "[11.4]") {
     // What was at x + z is at x − z after a quarter turn counterclockwise as seen from above.
     check_seen(SkyMap::LatitudeLongitude, 90, {1, 0, -1}, {0, 0, 0.5});
     check_seen(SkyMap::LatitudeLongitude, 180, {1, 0, 1}, {2, 0, 0.5});
     check_seen(SkyMap::Angular, 90, {0, 0, -1}, {2.5, 0, 0.5});  // looks up x
 }
 
-TEST_CASE("pictures of discs do not go around", "[11.8]") {
+TEST_CASE("pictures of discs do not go around", "[11.4]") {
     check_seen(SkyMap::Angular, 0, {0, 0, -1}, {1.5, 0, 0.5});
     check_seen(SkyMap::Angular, 0, {0, 0, 1}, {3, 0, 0.5});
     check_seen(SkyMap::MirrorBall, 0, {0, 0, -1}, {3, 0, 0.5});

@@ -346,56 +346,6 @@ TEST_CASE("lesson 3 says the times that its figures program has measured", "[tex
             });
 }
 
-TEST_CASE("lesson 11 says what its figures program has counted", "[texts]") {
-    const std::string chapter = "11_textures", text = lesson(chapter);
-    const std::vector<std::string> rows = table_after(text, "| filter | samples a pixel |"),
-                                   lines = lines_of(chapter, "filter_errors.csv");
-    REQUIRE(rows.size() == lines.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        INFO(rows[i] << "\n" << lines[i]);
-        CHECK(numbers_in(rows[i]) == numbers_in(lines[i]));
-        CHECK_THAT(rows[i], Catch::Contains("`" + lines[i].substr(0, lines[i].find(',')) + "`"));
-    }
-    // A lobe's name and value, and what it returns at the three cosines of the head; rounded in the lesson.
-    const std::vector<std::string> returned = table_after(text, "| lobe | of | cosine 1 | 0.5 | 0.1 |");
-    CHECK(returned.size() > 8);
-    for (const std::string& row : returned) {
-        INFO(row);
-        const std::string name = row.substr(2, row.find(' ', 2) - 2);
-        const std::vector<double> said = numbers_in(row);
-        REQUIRE(said.size() == 4);
-        std::vector<double> counted;
-        for (const double cosine : {1.0, 0.5, 0.1})
-            for (const std::string& line : lines_of(chapter, "furnace.csv")) {
-                const std::vector<double> numbers = numbers_in(line);
-                const bool is_above = line.starts_with(name + ",") && line.find(",-") == std::string::npos;
-                if (is_above && numbers[0] == said[0] && numbers[1] == cosine) counted.push_back(numbers[2]);
-            }
-        REQUIRE(counted.size() == 3);
-        for (std::size_t i = 0; i < 3; ++i)
-            CHECK(said[i + 1] == Approx(counted[i]).margin(0.00051).epsilon(0));
-    }
-    double worst = 0;
-    for (const std::string& line : lines_of(chapter, "chi_square.csv")) {
-        const std::vector<double> numbers = numbers_in(line);
-        REQUIRE(numbers.size() == 6);
-        worst = std::max(worst, numbers[4] / numbers[5]);
-    }
-    const double said = std::stod(found(text, "is at most (\\S+) of\\s+the\\s+limit\\s+that\\s+right"));
-    CHECK(said == Approx(worst).margin(0.0051).epsilon(0));
-    const std::vector<double> missed = numbers_in(lines_of(chapter, "cells_missed.csv").front());
-    REQUIRE(missed.size() == 3);
-    CHECK(missed[0] == 2e6);
-    CHECK(std::stod(found(text, "F1 was wrong at (\\S+) and F2")) == missed[1]);
-    CHECK(std::stod(found(text, "F1 was wrong at \\S+ and F2 at (\\d+)")) == missed[2]);
-    const std::vector<double> led_back = numbers_in(lines_of(chapter, "led_back.csv").front());
-    const std::regex prose(
-        "viewer at (\\S+)° and a normal at −(\\S+)°, the mirrored ray goes down by (\\S+);"
-        "\\s+at\\s+−(\\S+)° it rises by 1/(\\d+) of the viewer's height");
-    std::smatch told;
-    REQUIRE(std::regex_search(text, told, prose));
-    REQUIRE(led_back.size() + 1 == told.size());
-    for (std::size_t i = 0; i < led_back.size(); ++i) CHECK(std::stod(told[i + 1]) == led_back[i]);
 }
 
 TEST_CASE("hints ask the world as its header declares it, or as the solution does", "[texts]") {
