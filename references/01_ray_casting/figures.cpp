@@ -1,11 +1,11 @@
 // Draws the figures of lesson 1 into the directory that it is given.
 // Numbers in the figures are computed here, by the course's own functions where there is one.
 #include "references/figures.hpp"
-#include "references/panels.hpp"
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/01_ray_casting/fisheye.hpp"
 #include "chapters/01_ray_casting/plane.hpp"
 #include "chapters/01_ray_casting/raycast.hpp"
+#include "references/panels.hpp"
 #include "tests/support.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ struct Numbers {
 std::string grouped(long long value) {
     std::string digits = std::to_string(value);
     for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), ",");
+        digits.insert(static_cast<std::size_t>(at), 1, ',');
     return digits;
 }
 
@@ -360,8 +360,10 @@ void draw_plane(const Path& directory) {
     }
     text(svg, place(point_at(ray, 0.55)) + Vec2(2, -10), "d", colored(label, blue));
     line(svg, o, foot, {.stroke = green, .width = 1.8, .dash = "5 4"});
-    text(svg, (o + foot) / 2.0 + Vec2(-8, -6), "n · (q − o)", {.size = 19, .color = green, .anchor = "end", .italic = true});
-    text(svg, (o + foot) / 2.0 + Vec2(-8, 18), "= " + signed_decimal(glm::dot(plane.normal, plane.point - ray.origin)),
+    text(svg, (o + foot) / 2.0 + Vec2(-8, -6), "n · (q − o)",
+         {.size = 19, .color = green, .anchor = "end", .italic = true});
+    text(svg, (o + foot) / 2.0 + Vec2(-8, 18),
+         "= " + signed_decimal(glm::dot(plane.normal, plane.point - ray.origin)),
          {.size = 19, .color = green, .anchor = "end", .italic = true});
     const Vec2 q = place(plane.point);
     arrow(svg, q, q + Vec2(0, -92), {.stroke = red, .width = 2.6});
@@ -369,7 +371,8 @@ void draw_plane(const Path& directory) {
     const Vec2 one = place(point_at(ray, 1));
     line(svg, {one.x, o.y}, one, {.stroke = orange, .width = 1.8, .dash = "5 4"});
     line(svg, o, {one.x, o.y}, {.stroke = orange, .width = 1, .dash = "2 3"});
-    text(svg, {one.x + 8, o.y + 18}, "n · d = " + signed_decimal(glm::dot(plane.normal, ray.direction)) + " for each step of t",
+    text(svg, {one.x + 8, o.y + 18},
+         "n · d = " + signed_decimal(glm::dot(plane.normal, ray.direction)) + " for each step of t",
          {.size = 19, .color = "#a87400", .italic = true});
     dot_at(svg, o);
     text(svg, o + Vec2(-18, -4), "o", label);
@@ -462,8 +465,7 @@ void draw_up(const Path& directory) {
         }
         dot_at(svg, place(angle, worst), red, 4);
     }
-    text(svg, corner + Vec2(right / 2, down + 52), "angle between up and the view, radians",
-         middle(plain));
+    text(svg, corner + Vec2(right / 2, down + 52), "angle between up and the view, radians", middle(plain));
     text(svg, {32, corner.y + down / 2}, "greatest |u · w|", {.size = 18, .anchor = "middle", .turn = -90});
     write_svg(directory / "up.svg", svg);
 }

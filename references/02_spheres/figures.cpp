@@ -1,8 +1,8 @@
 // Figures of chapter 2: the geometry, what cancellation does to a far sphere, what mistakes look like.
 // Usage: figures_02 DIRECTORY
 #include "references/figures.hpp"
-#include "references/panels.hpp"
 #include "chapters/02_spheres/sphere.hpp"
+#include "references/panels.hpp"
 #include "tests/oracle/sphere.hpp"
 #include "tests/stability/naive.hpp"
 #include "tests/support.hpp"

@@ -5,9 +5,9 @@
 namespace rt {
 
 CameraFrame camera_frame(const Camera& camera) {
-    // [exercise 01.1] Return the three axes of the camera, each of length 1 and perpendicular to the others: w
-    // points backwards, from camera.look_at to camera.eye; u points to the right of the picture; v points up
-    // in it, as far as camera.up allows.
+    // [exercise 01.1] Return the three axes of the camera, each of length 1 and perpendicular to the others:
+    // w points backwards, from camera.look_at to camera.eye; u points to the right of the picture; v points
+    // up in it, as far as camera.up allows.
     const Vec3 w = glm::normalize(camera.eye - camera.look_at);
     const Vec3 u = glm::normalize(glm::cross(camera.up, w));
     const Vec3 v = glm::cross(w, u);

@@ -7,8 +7,8 @@
 namespace rt {
 
 std::optional<Hit> intersect(const Plane& plane, const Ray& ray, Interval range) {
-    // [exercise 01.4] Return a Hit with the t at which the ray meets the plane, if that lies in the range, and
-    // std::nullopt if it does not, or if the ray is parallel to the plane.
+    // [exercise 01.4] Return a Hit with the t at which the ray meets the plane, if that lies in the range,
+    // and std::nullopt if it does not, or if the ray is parallel to the plane.
     const Real slope = glm::dot(plane.normal, ray.direction);
     if (slope == 0) return std::nullopt;
     const Real t = glm::dot(plane.normal, plane.point - ray.origin) / slope;

@@ -23,8 +23,8 @@ View plain_view(int width, int height) {
 
 void check_direction(const View& view, Real x, Real y, Real degrees, const Vec3& direction) {
     const Ray ray = fisheye_ray(view, x, y, radians(degrees));
-    INFO(view.width << " x " << view.height << " pixels, " << degrees << " degrees from top to bottom, the point ("
-                    << x << ", " << y << "): " << ray);
+    INFO(view.width << " x " << view.height << " pixels, " << degrees
+                    << " degrees from top to bottom, the point (" << x << ", " << y << "): " << ray);
     CHECK(near_direction(ray.direction, direction, 8 * unit_roundoff));
     CHECK(near(glm::length(ray.direction), 1, 8 * unit_roundoff));
     CHECK(ray.origin == view.eye);
@@ -77,7 +77,9 @@ TEST_CASE("the frame turns the rays of a fisheye", "[01.7]") {
 TEST_CASE("the angle grows evenly from the middle, and points to the side of the point", "[01.7]") {
     Random random(71);
     for (int i = 0; i < cases(20'000); ++i) {
-        View view = plain_view(1 + static_cast<int>(random.index(2000)), 1 + static_cast<int>(random.index(2000)));
+        const int width = 1 + static_cast<int>(random.index(2000));
+        const int height = 1 + static_cast<int>(random.index(2000));
+        View view = plain_view(width, height);
         view.frame.w = random.direction();
         view.frame.u = glm::normalize(any_across(view.frame.w));
         view.frame.v = glm::cross(view.frame.w, view.frame.u);
@@ -89,19 +91,20 @@ TEST_CASE("the angle grows evenly from the middle, and points to the side of the
         const Real x = view.width / 2.0 + rho * view.height / 2.0 * std::cos(side);
         const Real y = view.height / 2.0 - rho * view.height / 2.0 * std::sin(side);
         const Vec3 d = fisheye_ray(view, x, y, field).direction;
-        const Vec3 across = glm::dot(d, view.frame.u) * view.frame.u + glm::dot(d, view.frame.v) * view.frame.v;
+        const Vec3 across =
+            glm::dot(d, view.frame.u) * view.frame.u + glm::dot(d, view.frame.v) * view.frame.v;
         const Real angle = std::atan2(glm::length(across), -glm::dot(d, view.frame.w));
         // The point is rounded by where the middle is, in half heights.
         const Real rounding = 64 * unit_roundoff * (1 + static_cast<Real>(view.width) / view.height);
         INFO(view.width << " x " << view.height << " pixels, the point " << show(Vec2(x, y)) << ", "
-                        << show(rho) << " half heights from the middle, field " << show(field) << ": " << show(d));
+                        << show(rho) << " half heights from the middle, field " << show(field) << ": "
+                        << show(d));
         {
             INFO("the angle between the ray and -w");
             REQUIRE(near(angle, rho * field / 2, rounding * pi));
         }
-        INFO("the part of the direction across the view, times the sine of the angle towards the point's side");
-        REQUIRE(near(across, std::sin(rho * field / 2) *
-                                 (std::cos(side) * view.frame.u + std::sin(side) * view.frame.v),
-                     rounding * 8));
+        const Vec3 out = std::cos(side) * view.frame.u + std::sin(side) * view.frame.v;
+        INFO("the part of the direction across the view: to the point's side, as long as the angle's sine");
+        REQUIRE(near(across, std::sin(rho * field / 2) * out, rounding * 8));
     }
 }

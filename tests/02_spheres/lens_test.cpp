@@ -14,7 +14,8 @@ using test::Random;
 
 namespace {
 
-/// Radii of 5, centres 3 in front of and behind the origin: a lens 4 thick, whose edge is a circle of radius 4.
+/// Radii of 5, centres 3 in front of and behind the origin: a lens 4 thick, whose edge is a circle of
+/// radius 4.
 const Sphere front{{0, 0, 3}, 5}, back{{0, 0, -3}, 5};
 
 std::string describe(const Sphere& a, const Sphere& b, const Ray& ray, Interval range) {
@@ -84,7 +85,8 @@ TEST_CASE("a hit of a lens is on one ball and inside of the other; a miss stays 
     Random random(2601);
     int hits = 0, misses = 0;
     for (int i = 0; i < cases(5000); ++i) {
-        const Sphere a{random.in_cube(), random.uniform(0.3, 1.5)}, b{random.in_cube(), random.uniform(0.3, 1.5)};
+        const Sphere a{random.in_cube(), random.uniform(0.3, 1.5)},
+            b{random.in_cube(), random.uniform(0.3, 1.5)};
         const Ray ray{3.0 * random.direction(), normalize(random.in_cube())};
         const std::optional<Hit> hit = intersect_lens(a, b, ray, ahead);
         const Real rounding = 64 * unit_roundoff * 8;
@@ -104,7 +106,8 @@ TEST_CASE("a hit of a lens is on one ball and inside of the other; a miss stays 
         for (Real t = 0.01; t < end - 1e-3; t += 0.01)
             clear = clear && std::min(depth(a, point_at(ray, t)), depth(b, point_at(ray, t))) <= 1e-6;
         const bool starts_inside = std::min(depth(a, ray.origin), depth(b, ray.origin)) > 0;
-        if (!starts_inside) CHECK(test::or_say(clear, "the ray is in both balls before its hit, or without one"));
+        if (!starts_inside)
+            CHECK(test::or_say(clear, "the ray is in both balls before its hit, or without one"));
         if (!hit) ++misses;
     }
     CHECK(hits > 0);
