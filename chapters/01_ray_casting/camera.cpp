@@ -7,9 +7,9 @@
 namespace rt {
 
 CameraFrame camera_frame(const Camera& camera) {
-    // 01.1  Return the three axes of the camera, each of length 1 and perpendicular to the others: w
-    // points backwards, from camera.look_at to camera.eye; u points to the right of the picture; v points up
-    // in it, as far as camera.up allows.
+    // 01.1  Return the three axes of the camera, each of length 1 and perpendicular to the others:
+    // w points backwards, from camera.look_at to camera.eye; u points to the right of the picture; v points
+    // up in it, as far as camera.up allows.
     return todo("01.1");
 }
 

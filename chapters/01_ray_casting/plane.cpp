@@ -8,8 +8,8 @@
 namespace rt {
 
 std::optional<Hit> intersect(const Plane& plane, const Ray& ray, Interval range) {
-    // 01.4  Return a Hit with the t at which the ray meets the plane, if that lies in the range, and
-    // std::nullopt if it does not, or if the ray is parallel to the plane.
+    // 01.4  Return a Hit with the t at which the ray meets the plane, if that lies in the range,
+    // and std::nullopt if it does not, or if the ray is parallel to the plane.
     return todo("01.4");
 }
 

@@ -15,8 +15,8 @@ Vec3 cast_ray(const World& world, const Ray& ray) {
 }
 
 std::vector<Vec3> render_tile(const World& world, const Tile& tile, RayColor color) {
-    // 01.6  Return what `color` says of the ray through the middle of each pixel of the tile, row by
-    // row from the top and each row from the left. `color` is also handed the pixel's random numbers,
+    // 01.6  Return what `color` says of the ray through the middle of each pixel of the tile, row
+    // by row from the top and each row from the left. `color` is also handed the pixel's random numbers,
     // stream_of(world, x, y), which later chapters will use.
     return todo("01.6");
 }

@@ -286,9 +286,9 @@ void draw_camera(const Path& directory) {
             rectangle(svg, corner + cell * Vec2(x, y), Vec2(cell), {.stroke = grey, .width = 1.5});
             dot_at(svg, corner + cell * Vec2(x + 0.5, y + 0.5), x == 0 && y == 0 ? blue : grey, 4);
         }
-    arrow(svg, corner, corner + Vec2(275, 0), {.stroke = ink, .width = 2});
+    arrow(svg, corner, corner + Vec2(264, 0), {.stroke = ink, .width = 2});
     arrow(svg, corner, corner + Vec2(0, 155), {.stroke = ink, .width = 2});
-    text(svg, corner + Vec2(266, -9), "x", label);
+    text(svg, corner + Vec2(256, -9), "x", label);
     text(svg, corner + Vec2(-18, 152), "y", label);
     text(svg, corner + Vec2(-6, -8), "0", middle(remark));
     text(svg, corner + Vec2(240, -8), "4", middle(remark));

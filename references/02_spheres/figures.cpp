@@ -52,7 +52,7 @@ Svg perpendicular() {
     text(svg, t1 + Vec2(18, -10), "t1", name);
     line(svg, {foot.x + half / 2, o.y + 4}, {foot.x + 95, 270}, {.stroke = "#a06c00", .width = 1});
     text(svg, {foot.x + 100, 275}, "√(r² − w·w)", {.size = 20, .color = "#a06c00"});
-    text(svg, {foot.x - 4, 252}, "−h/a", {.size = 19, .anchor = "end", .italic = true});
+    text(svg, {foot.x - 10, 217}, "−h/a", {.size = 19, .anchor = "end", .italic = true});
     return svg;
 }
 
@@ -87,7 +87,7 @@ Svg four_cases() {
     dot_at(svg, {x - root_x(y), y}, svg_color::red, false);
     dot_at(svg, {x + root_x(y), y}, svg_color::red);
 
-    x = panel(3, "none", "no root, or both ≤ 0", "a miss"), y = cy + 15;
+    x = panel(3, "none", "none, or both ≤ 0", "a miss"), y = cy + 15;
     arrow(svg, {x - 80, cy - 65}, {x + 80, cy - 65}, solid);
     dot_at(svg, {x - 80, cy - 65}, svg_color::blue);
     line(svg, {x - 80, y}, {x + 58, y}, backwards);
