@@ -75,6 +75,19 @@ TEST_CASE("from inside of one ball but outside of the lens its near surface is s
     check_beside({{0, 0, 6}, {0, 0, 1}}, ahead);
 }
 
+TEST_CASE("where the surfaces of both balls meet, the edge of the lens is that of a", "[02.6]") {
+    const Ray across{{10, 0, 0}, {-1, 0, 0}};
+    check_lens(across, ahead, 6, 0);
+    check_lens(across, {10, infinity}, 14, 0);
+}
+
+TEST_CASE("balls that touch have one point in common", "[02.6]") {
+    const Sphere above{{0, 0, 5}, 5}, below{{0, 0, -5}, 5};
+    const Ray ray{{10, 0, 0}, {-1, 0, 0}};
+    INFO(describe(above, below, ray, ahead) << "; they touch at the origin");
+    CHECK(test::same_hit(intersect_lens(above, below, ray, ahead), Hit{.t = 10, .primitive = 0}));
+}
+
 TEST_CASE("the range of a lens leaves its start out and takes its end in", "[02.6]") {
     const Ray ray{{0, 0, 10}, {0, 0, -1}};
     const Real in = intersections(back, ray).t0, out = intersections(front, ray).t1;  // 8 and 12
