@@ -65,16 +65,16 @@ std::vector<DrawnPixel> silhouette(const Drawing& drawing) {
     });
 }
 
-/// The ray along −z from each point, and a lens: its front reddish, its back bluish.
+/// The ray along −z from each point, and a lens: one side reddish, the other bluish.
 std::vector<DrawnPixel> lens(const Drawing& drawing) {
-    const Sphere front(Vec3(0.2, 0, -3.5), 1), back(Vec3(-0.2, 0.1, -2.5), 1);
+    const Sphere left(Vec3(-0.45, 0.1, -3), 0.75), right(Vec3(0.45, -0.1, -2.7), 0.75);
     return asked_everywhere(drawing, [&](const Vec2& p) -> DrawnPixel {
         const std::string place = fmt::format("the ray along -z from {}", in_words(p));
         const std::optional<Hit> hit =
-            intersect_lens(front, back, {Vec3(p, 0), Vec3(0, 0, -1)}, {0, infinity});
+            intersect_lens(left, right, {Vec3(p, 0), Vec3(0, 0, -1)}, {0, infinity});
         if (!hit) return {dark, place, "beside the lens"};
         // Nearer is brighter.
-        const Real depth = std::clamp((Real(3.6) - hit->t), Real(0), Real(1));
+        const Real depth = std::clamp(Real(3) - hit->t, Real(0), Real(1));
         const Vec3 tint = hit->primitive == 0 ? Vec3(1, 0.7, 0.5) : Vec3(0.5, 0.75, 1);
         return {(Real(0.2) + Real(0.7) * depth) * tint, place,
                 fmt::format("t = {:.4g}, on the surface of ball {}", hit->t, hit->primitive)};
