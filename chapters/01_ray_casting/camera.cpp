@@ -7,21 +7,18 @@
 namespace rt {
 
 CameraFrame camera_frame(const Camera& camera) {
-    // 01.1  Build the three axes of the camera, each of length 1 and perpendicular to the others:
-    // w points backwards, from camera.look_at to camera.eye; u points to the right and is perpendicular to
-    // camera.up and to w; v points up in the picture and completes them to u × v = w.
-    // glm::normalize and glm::cross are all you need; mind the order of the factors.
+    // 01.1  Return the three axes of the camera, each of length 1 and perpendicular to the others:
+    // w points backwards, from camera.look_at to camera.eye; u points to the right of the picture; v points
+    // up in it, as far as camera.up allows.
     return todo("01.1");
 }
 
 Ray pixel_ray(const View& view, Real x, Real y) {
-    // 01.2  Find where the point (x, y) of the picture lies on the image plane: a to the right
-    // of its centre and b above it, each between plus and minus half the picture's extent. The height is
-    // 2 · view.half_height, and pixels are square, so one factor serves both. Then, if view.projection is
-    // Projection::Perspective, return the ray from view.eye towards a·u + b·v − w, its direction of length 1.
+    // 01.2  Find where the point (x, y) of the picture lies on the image plane: a to the right of
+    // its centre, and b above it. If view.projection is Projection::Perspective, return the ray from view.eye
+    // through that point; its direction has length 1.
     return todo("01.2");
-    // 01.3  What is left is the orthographic view. All its rays are parallel, along −w; what
-    // changes from pixel to pixel is where they start: at view.eye, moved by a along u and by b along v.
+    // 01.3  What is left is the orthographic view. Return the ray through the point (x, y) there.
     return todo("01.3");
 }
 

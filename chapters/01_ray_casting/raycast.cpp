@@ -9,18 +9,15 @@
 namespace rt {
 
 Vec3 cast_ray(const World& world, const Ray& ray) {
-    // 01.6  Find the nearest hit in front of the ray's origin with closest_hit(world, ray, range).
-    // Where there is none, the colour is background(world, ray.direction). Else ask surface_at for the
-    // surface and material_at for its material; the colour is what the surface shows without any light:
-    // ambient plus emission.
+    // 01.6  Return the colour of the nearest thing in front of the ray's origin: what its material
+    // shows without any light, ambient plus emission. Where there is nothing, return the background's.
     return todo("01.6");
 }
 
 std::vector<Vec3> render_tile(const World& world, const Tile& tile, RayColor color) {
-    // 01.6  For every pixel of the tile, row by row from the top and each row from the left, ask
-    // pixel_ray for the ray through the middle of the pixel, and `color` for the colour along that ray. It is
-    // also handed stream_of(world, x, y), the pixel's random numbers, which later chapters will use. tile.x1
-    // and tile.y1 are the first column and row that no longer belong to the tile.
+    // 01.6  Return what `color` says of the ray through the middle of each pixel of the tile, row
+    // by row from the top and each row from the left. `color` is also handed the pixel's random numbers,
+    // stream_of(world, x, y), which later chapters will use.
     return todo("01.6");
 }
 

@@ -9,8 +9,8 @@
 namespace rt {
 
 Roots solve_quadratic(Real a, Real h, Real c, Real discriminant) {
-    // 02.1  Return the real roots of a·t² + 2·h·t + c = 0 in ascending order, none of them the
-    // difference of two numbers that may be nearly equal. `discriminant` is h² − a·c: take it as given.
+    // 02.1  Return the real roots of a·t² + 2·h·t + c = 0 in ascending order, each with nearly all
+    // of its digits. `discriminant` is h² − a·c: take it as given.
     return todo("02.1");
 }
 

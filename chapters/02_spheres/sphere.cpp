@@ -9,21 +9,21 @@
 namespace rt {
 
 Roots intersections(const Sphere& sphere, const Ray& ray) {
-    // 02.2  Return the roots of a·t² + 2·h·t + c = 0 for this line and this sphere. Compute the
-    // discriminant from w, the vector from the centre to the point of the line nearest to it.
+    // 02.2  Return both t at which the line of the ray meets the sphere, also where the sphere is
+    // many millions of its radii away. The direction may have any length.
     return todo("02.2");
 }
 
 std::optional<Hit> intersect(const Sphere& sphere, const Ray& ray, Interval range) {
-    // 02.3  Return a Hit with the smallest root in the range, or std::nullopt. Leave the Hit's
-    // other fields as they are.
+    // 02.3  Return a Hit with the smallest root in the range, or std::nullopt if no root is in it.
+    // Leave the Hit's other fields as they are.
     return todo("02.3");
 }
 
 Surface surface_at(const Sphere& sphere, const Ray& ray, const Hit& hit) {
     Surface surface;
-    // 02.4  Set the surface's normal, shading_normal and point. The vector from the centre to the
-    // hit gives the normal; the point is where that normal, times the radius, ends.
+    // 02.4  Set the surface's normal, which is outward and 1 long, its shading_normal, which is the
+    // same here, and its point, which is on the sphere up to the last bits.
     return todo("02.4");
 
     // Given. Where a ball is so small, and so far away, that rounding puts the hit onto its centre, the
@@ -40,14 +40,14 @@ Surface surface_at(const Sphere& sphere, const Ray& ray, const Hit& hit) {
 }
 
 Vec2 sphere_uv(const Vec3& normal) {
-    // 02.4  u is the longitude atan2(z, x) as a part of a whole turn, v the latitude asin(y) from
-    // pole to pole. Wrap negative u by adding 1; u stays below 1.
+    // 02.4  Return the longitude and the latitude of the point with this normal, as the header
+    // defines them: u from 0 to less than 1, v from 0 at the south pole to 1 at the north pole.
     return todo("02.4");
 }
 
 std::optional<Hit> closest_hit(std::span<const Sphere> spheres, const Ray& ray, Interval range) {
-    // 02.5  Return the nearest hit of all, with `primitive` the index of its sphere; of equal
-    // distances the lowest index wins.
+    // 02.5  Return the nearest hit of the ray with all the spheres, and the index of the sphere in
+    // its `primitive`. Of equal distances the lowest index wins.
     return todo("02.5");
 }
 

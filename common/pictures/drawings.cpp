@@ -1,6 +1,8 @@
 // Drawings of what single functions answer, for steps that no scene shows yet.
 #include "common/pictures/drawings.hpp"
 
+#include "chapters/01_ray_casting/fisheye.hpp"
+#include "chapters/02_spheres/lens.hpp"
 #include "chapters/02_spheres/sphere.hpp"
 #include "chapters/03_triangles/polygon.hpp"
 #include "chapters/03_triangles/triangle.hpp"
@@ -44,7 +46,23 @@ std::vector<DrawnPixel> asked_everywhere(const Drawing& drawing, const Ask& ask)
     return pixels;
 }
 
-// ------------------------------------------------------------------------------------------ chapters 2 and 3
+// ------------------------------------------------------------------------------------------- chapters 1 to 3
+
+/// The directions of a fisheye's rays, (d + 1)/2 as red, green and blue, as the integrator of that name shows
+/// them.
+std::vector<DrawnPixel> fisheye(const Drawing& drawing) {
+    View view;
+    view.width = drawing.width;
+    view.height = drawing.height;
+    std::vector<DrawnPixel> pixels;
+    for (int y = 0; y < drawing.height; ++y)
+        for (int x = 0; x < drawing.width; ++x) {
+            const Vec3 d = fisheye_ray(view, x + 0.5, y + 0.5, pi).direction;
+            pixels.push_back({Real(0.5) * (d + Real(1)), fmt::format("the point ({}, {})", x + 0.5, y + 0.5),
+                              fmt::format("the direction ({:.4g}, {:.4g}, {:.4g})", d.x, d.y, d.z)});
+        }
+    return pixels;
+}
 
 /// The line along −z through each point, and a sphere.
 std::vector<DrawnPixel> silhouette(const Drawing& drawing) {
@@ -56,6 +74,22 @@ std::vector<DrawnPixel> silhouette(const Drawing& drawing) {
         // Nearer is brighter.
         const Real depth = std::clamp((4 - roots.t0) / 2, Real(0), Real(1));
         return {Vec3(0.15 + 0.75 * depth), place, fmt::format("roots {:.4g} and {:.4g}", roots.t0, roots.t1)};
+    });
+}
+
+/// The ray along −z from each point, and a lens: one side reddish, the other bluish.
+std::vector<DrawnPixel> lens(const Drawing& drawing) {
+    const Sphere left(Vec3(-0.45, 0.1, -3), 0.75), right(Vec3(0.45, -0.1, -2.7), 0.75);
+    return asked_everywhere(drawing, [&](const Vec2& p) -> DrawnPixel {
+        const std::string place = fmt::format("the ray along -z from {}", in_words(p));
+        const std::optional<Hit> hit =
+            intersect_lens(left, right, {Vec3(p, 0), Vec3(0, 0, -1)}, {0, infinity});
+        if (!hit) return {dark, place, "beside the lens"};
+        // Nearer is brighter.
+        const Real depth = std::clamp(Real(3) - hit->t, Real(0), Real(1));
+        const Vec3 tint = hit->primitive == 0 ? Vec3(1, 0.7, 0.5) : Vec3(0.5, 0.75, 1);
+        return {(Real(0.2) + Real(0.7) * depth) * tint, place,
+                fmt::format("t = {:.4g}, on the surface of ball {}", hit->t, hit->primitive)};
     });
 }
 
@@ -310,7 +344,9 @@ std::vector<DrawnPixel> lobe(const Drawing& drawing) {
 }
 
 constexpr Drawing drawings[] = {
+    {"fisheye", 65, 49, fisheye},
     {"silhouette", 64, 48, silhouette},
+    {"lens", 64, 48, lens},
     {"inside", 64, 48, inside},
     {"sides", 64, 48, sides},
     {"regular", 65, 65, regular},

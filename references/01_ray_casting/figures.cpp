@@ -2,8 +2,13 @@
 // Numbers in the figures are computed here, by the course's own functions where there is one.
 #include "references/figures.hpp"
 #include "chapters/01_ray_casting/camera.hpp"
+#include "chapters/01_ray_casting/fisheye.hpp"
 #include "chapters/01_ray_casting/plane.hpp"
+#include "chapters/01_ray_casting/raycast.hpp"
+#include "references/panels.hpp"
 #include "tests/support.hpp"
+
+#include <fmt/format.h>
 
 #include <array>
 
@@ -12,13 +17,21 @@ using namespace rt::figures;
 
 namespace {
 
-const SvgFont label{.size = 16, .italic = true};
+const SvgFont label{.size = 20, .italic = true};
+const SvgFont remark{.size = 18, .color = "#666666"};
+const SvgFont plain{.size = 18};
+
+/// Numbers that the lesson says, for figures/numbers.csv.
+struct Numbers {
+    std::string csv = "name,value\n";
+    void add(const char* name, const std::string& value) { csv += std::string(name) + "," + value + "\n"; }
+};
 
 /// 1234567 as "1,234,567".
 std::string grouped(long long value) {
     std::string digits = std::to_string(value);
     for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), ",");
+        digits.insert(static_cast<std::size_t>(at), 1, ',');
     return digits;
 }
 
@@ -86,16 +99,21 @@ long long photons_entering(const Room& room, Real radius, long long photons) {
     return count;
 }
 
-void draw_forward_backward(const Path& directory) {
+void draw_forward_backward(const Path& directory, Numbers& numbers) {
     const Room room;
     const long long photons = 1'000'000;
     const long long entered = photons_entering(room, 0.1, photons);
     const Real pinhole = share_entering(room, pi * 0.0005 * 0.0005);
     const Real expected = static_cast<Real>(photons) * share_entering(room, pi * 0.1 * 0.1);
-    std::cout << "photons into 20 cm: " << entered << ", expected " << decimal(expected)
-              << "; into 1 mm: one in " << decimal(1 / pinhole, 0) << "\n";
+    // A picture of 320 × 240 pixels with a hundred photons each, at ten million photons a second.
+    const Real needed = 320 * 240 * 100 / pinhole, years = needed / 1e7 / (365.25 * 24 * 3600);
+    numbers.add("of a million photons into 20 cm", std::to_string(entered));
+    numbers.add("the same by integration", fmt::format("{:.1f}", expected));
+    numbers.add("photons for one into 1 mm", fmt::format("{:.4e}", 1 / pinhole));
+    numbers.add("photons for a picture", fmt::format("{:.3e}", needed));
+    numbers.add("years for a picture", fmt::format("{:.2f}", years));
 
-    Svg svg{.width = 700, .height = 330};
+    Svg svg{.width = 700, .height = 350};
     text(svg, {175, 26}, "Forward: light looks for the eye", heading);
     text(svg, {525, 26}, "Backward: the eye looks for light", heading);
     const Real scale = 75;
@@ -134,26 +152,29 @@ void draw_forward_backward(const Path& directory) {
             const Vec2 first = glm::mix(eye, place({-0.75, 0}), 0.22),
                        last = glm::mix(eye, place({1.75, 0}), 0.42);
             line(svg, first, last, {.stroke = ink, .width = 3});
-            text(svg, first + Vec2(-4, -8), "picture", middle(note));
+            text(svg, first + Vec2(-4, -8), "picture", middle(remark));
         }
         dot_at(svg, lamp, orange, 9);
         circle(svg, lamp, 9, {.stroke = ink});
         camera_at(svg, eye);
     }
-    const std::string caught = grouped(entered) + " of " + grouped(photons) + " photons enter a hole";
-    const std::string few =
-        "20 cm wide; one of 1 mm gets 1 in " + grouped(std::llround(1e-6 / pinhole)) + " million.";
-    text(svg, {10, 294}, caught, note);
-    text(svg, {10, 314}, few, note);
-    text(svg, {360, 294}, "Every ray belongs to a pixel, and none is lost.", note);
-    text(svg, {360, 314}, "Dashed: is the lamp in sight? (chapter 6)", note);
+    const std::string caught = grouped(entered) + " of " + grouped(photons) + " photons";
+    const std::string few = "of 1 mm gets 1 in " + grouped(std::llround(1e-6 / pinhole)) + " million.";
+    const std::pair<std::string, const char*> lines[] = {
+        {caught, "Every ray belongs to a pixel,"},
+        {"enter a hole 20 cm wide; one", "and none is lost. Dashed: is"},
+        {few, "the lamp in sight? (chapter 6)"}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        text(svg, {10, 294 + 23 * static_cast<Real>(i)}, lines[i].first, remark);
+        text(svg, {360, 294 + 23 * static_cast<Real>(i)}, lines[i].second, remark);
+    }
     write_svg(directory / "forward_backward.svg", svg);
 }
 
 // Ray casting and scan conversion ----------------------------------------------------------------------
 
 void draw_two_loops(const Path& directory) {
-    Svg svg{.width = 700, .height = 372};
+    Svg svg{.width = 700, .height = 352};
     text(svg, {175, 26}, "Ray casting", heading);
     text(svg, {525, 26}, "Scan conversion", heading);
     const std::array<Vec2, 3> first{Vec2(1.3, 4.6), Vec2(8.4, 6.2), Vec2(4.6, 0.7)};
@@ -199,7 +220,7 @@ void draw_two_loops(const Path& directory) {
                     dot_at(svg, place({x + 0.5, 3.5}), red, 4);
         }
     }
-    const SvgFont code{.size = 15};
+    const SvgFont code{.size = 17};
     const std::array<const char*, 4> cast{"for each pixel", "    for each object",
                                           "        does the ray hit it, and where?", "    keep the nearest"};
     const std::array<const char*, 4> convert{"for each object", "    for each pixel that it covers",
@@ -215,8 +236,6 @@ void draw_two_loops(const Path& directory) {
         indented(22, cast[i]);
         indented(372, convert[i]);
     }
-    text(svg, {22, 361}, "All objects at hand, one pixel at a time.", note);
-    text(svg, {372, 361}, "All pixels at hand, one object at a time.", note);
     write_svg(directory / "two_loops.svg", svg);
 }
 
@@ -225,7 +244,7 @@ void draw_two_loops(const Path& directory) {
 void draw_camera(const Path& directory) {
     Svg svg{.width = 700, .height = 330};
     text(svg, {170, 26}, "From the side", heading);
-    text(svg, {525, 26}, "The picture, 4 × 2 pixels", heading);
+    text(svg, {545, 26}, "The picture, 4 × 2 pixels", heading);
 
     // The image plane at distance 1, for a field of view of 60 degrees.
     const Vec2 eye(95, 180);
@@ -248,32 +267,32 @@ void draw_camera(const Path& directory) {
     arrow(svg, eye, eye + Vec2(-78, 0), {.stroke = red, .width = 2.4});
     text(svg, eye + Vec2(-80, 22), "w", colored(label, red));
     dot_at(svg, eye, purple, 6);
-    text(svg, eye + Vec2(-85, 56), "u points at you", {.size = 13, .color = purple});
+    text(svg, eye + Vec2(-88, 60), "u points at you", {.size = 17, .color = purple});
     arc(svg, eye, 58, radians(-30), 0, {.stroke = ink});
-    text(svg, eye + Vec2(66, 24), "fovy/2", {.size = 13});
+    text(svg, eye + Vec2(66, 26), "fovy/2", {.size = 17});
     text(svg, center + Vec2(14, -half / 2 + 22), "b", colored(label, blue));
     line(svg, center + Vec2(8, -2), center + Vec2(8, -half / 2), {.stroke = blue, .width = 1.5});
     text(svg, eye + Vec2(unit / 2, 140), "1", middle(label));
     arrow(svg, eye + Vec2(unit / 2 - 12, 135), eye + Vec2(2, 135), {.width = 1.2}, 7);
     arrow(svg, eye + Vec2(unit / 2 + 12, 135), center + Vec2(-2, 135), {.width = 1.2}, 7);
-    text(svg, center + Vec2(12, -half + 5), "half_height", {.size = 13});
-    text(svg, center + Vec2(12, half + 5), "−half_height", {.size = 13});
+    text(svg, center + Vec2(12, -half + 5), "half_height", {.size = 17});
+    text(svg, center + Vec2(12, half + 5), "−half_height", {.size = 17});
 
     // Front view; positions of the sample points by the same formula as the code.
-    const Vec2 corner(405, 75);
+    const Vec2 corner(425, 75);
     const Real cell = 60;
     for (int y = 0; y < 2; ++y)
         for (int x = 0; x < 4; ++x) {
             rectangle(svg, corner + cell * Vec2(x, y), Vec2(cell), {.stroke = grey, .width = 1.5});
             dot_at(svg, corner + cell * Vec2(x + 0.5, y + 0.5), x == 0 && y == 0 ? blue : grey, 4);
         }
-    arrow(svg, corner, corner + Vec2(275, 0), {.stroke = ink, .width = 2});
+    arrow(svg, corner, corner + Vec2(264, 0), {.stroke = ink, .width = 2});
     arrow(svg, corner, corner + Vec2(0, 155), {.stroke = ink, .width = 2});
-    text(svg, corner + Vec2(266, -9), "x", label);
+    text(svg, corner + Vec2(256, -9), "x", label);
     text(svg, corner + Vec2(-18, 152), "y", label);
-    text(svg, corner + Vec2(-6, -8), "0", middle(note));
-    text(svg, corner + Vec2(240, -8), "4", middle(note));
-    text(svg, corner + Vec2(-14, 125), "2", middle(note));
+    text(svg, corner + Vec2(-6, -8), "0", middle(remark));
+    text(svg, corner + Vec2(240, -8), "4", middle(remark));
+    text(svg, corner + Vec2(-14, 125), "2", middle(remark));
     const Vec2 origin = corner + cell * Vec2(2, 1);
     arrow(svg, origin, origin + Vec2(62, 0), {.stroke = purple, .width = 2.4});
     arrow(svg, origin, origin + Vec2(0, -62), {.stroke = green, .width = 2.4});
@@ -283,11 +302,9 @@ void draw_camera(const Path& directory) {
     view.width = 4;
     view.height = 2;
     const Vec3 d = pixel_ray(view, 0.5, 0.5).direction;
-    text(svg, {395, 262}, "half_height = 1: the marked point (½, ½)", {.size = 14});
-    text(svg, {395, 282},
-         "is a = " + signed_decimal(d.x / -d.z) + ", b = " + signed_decimal(d.y / -d.z) +
-             " on the image plane",
-         {.size = 14});
+    text(svg, {430, 262}, "The blue point, (½, ½), is", plain);
+    text(svg, {430, 286}, "a = " + signed_decimal(d.x / -d.z) + ", b = " + signed_decimal(d.y / -d.z), plain);
+    text(svg, {430, 310}, "if half_height is 1.", plain);
     write_svg(directory / "camera.svg", svg);
 }
 
@@ -320,7 +337,7 @@ void draw_projections(const Path& directory) {
             line(svg, place({0, 1, 0}), place({0, -1, 0}), {.stroke = ink, .width = 3});
         text(svg, {left + 175, 252},
              left < 100 ? "the farther post covers fewer rays" : "both posts cover the same rays",
-             middle(note));
+             middle(remark));
     }
     write_svg(directory / "projections.svg", svg);
 }
@@ -343,25 +360,27 @@ void draw_plane(const Path& directory) {
     }
     text(svg, place(point_at(ray, 0.55)) + Vec2(2, -10), "d", colored(label, blue));
     line(svg, o, foot, {.stroke = green, .width = 1.8, .dash = "5 4"});
-    text(svg, (o + foot) / 2.0 + Vec2(-8, 6), "n · (o − q)",
-         {.size = 15, .color = green, .anchor = "end", .italic = true});
+    text(svg, (o + foot) / 2.0 + Vec2(-8, -6), "n · (q − o)",
+         {.size = 19, .color = green, .anchor = "end", .italic = true});
+    text(svg, (o + foot) / 2.0 + Vec2(-8, 18),
+         "= " + signed_decimal(glm::dot(plane.normal, plane.point - ray.origin)),
+         {.size = 19, .color = green, .anchor = "end", .italic = true});
     const Vec2 q = place(plane.point);
     arrow(svg, q, q + Vec2(0, -92), {.stroke = red, .width = 2.6});
     text(svg, q + Vec2(10, -82), "n", colored(label, red));
     const Vec2 one = place(point_at(ray, 1));
     line(svg, {one.x, o.y}, one, {.stroke = orange, .width = 1.8, .dash = "5 4"});
     line(svg, o, {one.x, o.y}, {.stroke = orange, .width = 1, .dash = "2 3"});
-    text(svg, {one.x + 8, o.y + 18}, "n · d for each step of t",
-         {.size = 15, .color = "#a87400", .italic = true});
+    text(svg, {one.x + 8, o.y + 18},
+         "n · d = " + signed_decimal(glm::dot(plane.normal, ray.direction)) + " for each step of t",
+         {.size = 19, .color = "#a87400", .italic = true});
     dot_at(svg, o);
     text(svg, o + Vec2(-18, -4), "o", label);
     dot_at(svg, q);
-    text(svg, q + Vec2(-6, 26), "q", label);
+    text(svg, q + Vec2(-16, -8), "q", label);
     dot_at(svg, p, blue, 5);
     text(svg, p + Vec2(12, -12), "p = o + t·d", colored(label, blue));
-    text(svg, {40, 264},
-         "The ray sinks by 0.5 a step and starts 1.9 above: it arrives after t = " + decimal(t) + " steps.",
-         note);
+    text(svg, {40, 262}, "It arrives after t = −1.9 / −0.5 = " + decimal(t) + " steps.", remark);
     write_svg(directory / "plane.svg", svg);
 }
 
@@ -369,8 +388,8 @@ void draw_plane(const Path& directory) {
 
 /// The checkered ground at y = 0, its cubes decided by the point o + t·d as computed (left), and by the
 /// point that surface_at gives and its error bound (right).
-void draw_flicker(const Path& directory) {
-    const int width = 310, height = 220, gap = 10;
+void draw_flicker(const Path& directory, Numbers& numbers) {
+    const int width = 310, height = 220;
     Camera camera;
     camera.eye = {0, 1.5, 0};
     camera.look_at = {0, 1, -4};
@@ -381,10 +400,9 @@ void draw_flicker(const Path& directory) {
                     .height = height};
     const Plane ground;
     const Vec3 sky_color(0.20, 0.42, 0.78), even(0.855, 0.828, 0.72), odd(0.036, 0.117, 0.09);
-    Image image = make_image(2 * width + gap, height);
+    Image before = make_image(width, height), after = before;
     int wrong = 0, all = 0;
     for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width + gap; ++x) pixel(image, x, y) = Vec3(1);
         for (int x = 0; x < width; ++x) {
             const Ray ray = pixel_ray(view, x + 0.5, y + 0.5);
             const auto hit = intersect(ground, ray, {0, infinity});
@@ -400,12 +418,14 @@ void draw_flicker(const Path& directory) {
                 ++all;
                 if (naive != stable) ++wrong;
             }
-            pixel(image, x, y) = naive;
-            pixel(image, width + gap + x, y) = stable;
+            pixel(before, x, y) = naive;
+            pixel(after, x, y) = stable;
         }
     }
-    std::cout << "flicker: " << wrong << " of " << all << " pixels of the ground are wrong\n";
-    write_image(directory / "flicker.png", image);
+    numbers.add("pixels of the ground", std::to_string(all));
+    numbers.add("wrong pixels of the ground", std::to_string(wrong));
+    write_svg(directory / "flicker.svg",
+              side_by_side({{before, "the point as computed"}, {after, "point + error of surface_at"}}, 2));
 }
 
 /// How far from perpendicular u and w are, at worst of many cameras, over the angle of up and view.
@@ -420,15 +440,15 @@ void draw_up(const Path& directory) {
         line(svg, place(1e-12, std::pow(10.0, k)), place(1, std::pow(10.0, k)),
              {.stroke = light, .width = 1});
         text(svg, place(1e-12, std::pow(10.0, k)) + Vec2(-8, 5), k == 0 ? "1" : "1e" + std::to_string(k),
-             {.size = 13, .anchor = "end"});
+             {.size = 17, .anchor = "end"});
     }
     for (int k = -12; k <= 0; k += 2)
-        text(svg, place(std::pow(10.0, k), 1e-17) + Vec2(0, 20), k == 0 ? "1" : "1e" + std::to_string(k),
-             {.size = 13, .anchor = "middle"});
+        text(svg, place(std::pow(10.0, k), 1e-17) + Vec2(0, 22), k == 0 ? "1" : "1e" + std::to_string(k),
+             {.size = 17, .anchor = "middle"});
     line(svg, corner, corner + Vec2(0, down));
     line(svg, corner + Vec2(0, down), corner + Vec2(right, down));
     line(svg, place(1e-12, 0x1p-53 * 1e12), place(1, 0x1p-53), {.stroke = grey, .width = 1.2, .dash = "5 4"});
-    text(svg, place(1e-7, 2e-8) + Vec2(8, -4), "unit roundoff / angle", note);
+    text(svg, place(1e-7, 2e-8) + Vec2(8, -4), "unit roundoff / angle", remark);
     test::Random random(2);
     for (Real exponent = -12; exponent < 0.01; exponent += 0.5) {
         const Real angle = std::pow(10.0, exponent);
@@ -445,21 +465,39 @@ void draw_up(const Path& directory) {
         }
         dot_at(svg, place(angle, worst), red, 4);
     }
-    text(svg, corner + Vec2(right / 2, down + 46), "angle between up and the view, radians",
-         middle(SvgFont{.size = 14}));
-    text(svg, {38, corner.y + down / 2}, "greatest |u · w|", {.size = 14, .anchor = "middle", .turn = -90});
-    text(svg, {110, 322}, "Each point: the worst of 1000 cameras.", note);
+    text(svg, corner + Vec2(right / 2, down + 52), "angle between up and the view, radians", middle(plain));
+    text(svg, {32, corner.y + down / 2}, "greatest |u · w|", {.size = 18, .anchor = "middle", .turn = -90});
     write_svg(directory / "up.svg", svg);
 }
 
+// Other cameras ----------------------------------------------------------------------------------------
+
+/// A scene by a fisheye camera that sees half of everything; what is outside of its circle is white.
+void draw_fisheye(const Path& directory) {
+    const Scene scene = scene_beside(__FILE__, "planes", 240, 240);
+    World world = compile(scene);
+    Image image = make_image(scene.width, scene.height);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Real a = x + 0.5 - image.width / 2.0, b = y + 0.5 - image.height / 2.0;
+            pixel(image, x, y) = Vec3(1);
+            if (std::hypot(a, b) < image.width / 2.0)
+                pixel(image, x, y) = cast_ray(world, fisheye_ray(world.view, x + 0.5, y + 0.5, pi));
+        }
+    write_image(directory / "fisheye.png", image, scene.encoding);
+}
+
 void draw_all(const Path& directory) {
-    draw_forward_backward(directory);
+    Numbers numbers;
+    draw_forward_backward(directory, numbers);
     draw_two_loops(directory);
     draw_camera(directory);
     draw_projections(directory);
     draw_plane(directory);
-    draw_flicker(directory);
+    draw_flicker(directory, numbers);
     draw_up(directory);
+    draw_fisheye(directory);
+    write_file(directory / "numbers.csv", numbers.csv);
     draw_scenes(directory, __FILE__, {"directions", "horizon", "orthographic", "planes"});
 }
 

@@ -2,6 +2,7 @@
 // Usage: figures_02 DIRECTORY
 #include "references/figures.hpp"
 #include "chapters/02_spheres/sphere.hpp"
+#include "references/panels.hpp"
 #include "tests/oracle/sphere.hpp"
 #include "tests/stability/naive.hpp"
 #include "tests/support.hpp"
@@ -40,63 +41,60 @@ Svg perpendicular() {
     rectangle(svg, {foot.x, foot.y - 12}, {12, 12}, {.stroke = svg_color::grey, .width = 1});
     for (const Vec2& p : {o, c}) dot_at(svg, p, svg_color::ink);
     for (const Vec2& p : {t0, t1}) dot_at(svg, p, svg_color::orange);
-    const SvgFont name{.size = 17, .italic = true};
-    text(svg, o + Vec2(-6, 26), "o", name);
-    text(svg, c + Vec2(8, -8), "centre");
-    text(svg, {105, 250}, "d", {.size = 17, .color = svg_color::blue, .italic = true});
+    const SvgFont name{.size = 21, .italic = true};
+    text(svg, o + Vec2(-6, 30), "o", name);
+    text(svg, c + Vec2(8, -8), "centre", {.size = 20});
+    text(svg, {105, 255}, "d", {.size = 21, .color = svg_color::blue, .italic = true});
     text(svg, {150, 165}, "f = o − centre", name);
-    text(svg, {foot.x - 24, 195}, "w", {.size = 17, .color = svg_color::red, .italic = true});
-    text(svg, {c.x + 50, 185}, "r", {.size = 17, .color = svg_color::green, .italic = true});
-    text(svg, t0 + Vec2(-30, 26), "t0", name);
-    text(svg, t1 + Vec2(10, -10), "t1", name);
+    text(svg, {foot.x - 24, 195}, "w", {.size = 21, .color = svg_color::red, .italic = true});
+    text(svg, {c.x + 50, 185}, "r", {.size = 21, .color = svg_color::green, .italic = true});
+    text(svg, t0 + Vec2(-34, 28), "t0", name);
+    text(svg, t1 + Vec2(18, -10), "t1", name);
     line(svg, {foot.x + half / 2, o.y + 4}, {foot.x + 95, 270}, {.stroke = "#a06c00", .width = 1});
-    text(svg, {foot.x + 100, 275}, "√(r² − w·w)", {.size = 16, .color = "#a06c00"});
-    text(svg, {foot.x - 6, 247}, "−h/a", {.size = 15, .anchor = "end"});
+    text(svg, {foot.x + 100, 275}, "√(r² − w·w)", {.size = 20, .color = "#a06c00"});
+    text(svg, {foot.x - 10, 217}, "−h/a", {.size = 19, .anchor = "end", .italic = true});
     return svg;
 }
 
 Svg four_cases() {
-    Svg svg{.width = 720, .height = 250, .body = {}};
-    const Real r = 48, cy = 130;
+    Svg svg{.width = 760, .height = 270, .body = {}};
+    const Real r = 50, cy = 122;
     const auto root_x = [&](Real y) { return std::sqrt(r * r - (y - cy) * (y - cy)); };
-    const auto panel = [&](int i, const char* title) {
-        const Vec2 c{90.0 + 180 * i, cy};
-        text(svg, {c.x, 28}, title, {.size = 15, .anchor = "middle", .bold = true});
+    const auto panel = [&](int i, const char* title, const char* order, const char* hit) {
+        const Vec2 c{95.0 + 190 * i, cy};
+        text(svg, {c.x, 28}, title, {.size = 19, .anchor = "middle", .bold = true});
+        text(svg, {c.x, 224}, order, {.size = 18, .anchor = "middle", .italic = true});
+        text(svg, {c.x, 250}, hit, {.size = 18, .anchor = "middle"});
         circle(svg, c, r, outline);
         return c.x;
     };
-    const SvgFont below{.size = 13, .anchor = "middle"};
 
-    Real x = panel(0, "two roots ahead"), y = cy + 20;
-    arrow(svg, {x - 80, y}, {x + 80, y}, solid);
+    Real x = panel(0, "two roots ahead", "0 < t0 < t1", "hit at t0"), y = cy + 20;
+    arrow(svg, {x - 80, y}, {x + 85, y}, solid);
     dot_at(svg, {x - 80, y}, svg_color::blue);
     dot_at(svg, {x - root_x(y), y}, svg_color::red);
     dot_at(svg, {x + root_x(y), y}, svg_color::red, false);
-    text(svg, {x, 225}, "0 < t0 < t1: hit at t0", below);
 
-    x = panel(1, "tangent"), y = cy - r;
-    arrow(svg, {x - 80, y}, {x + 80, y}, solid);
+    x = panel(1, "tangent", "0 < t0 = t1", "hit once"), y = cy - r;
+    arrow(svg, {x - 80, y}, {x + 85, y}, solid);
     dot_at(svg, {x - 80, y}, svg_color::blue);
     dot_at(svg, {x, y}, svg_color::red);
-    text(svg, {x, 225}, "t0 = t1: hit once", below);
 
-    x = panel(2, "from inside"), y = cy + 10;
+    x = panel(2, "from inside", "t0 ≤ 0 < t1", "hit at t1"), y = cy + 10;
     line(svg, {x - 80, y}, {x - 10, y}, backwards);
-    arrow(svg, {x - 10, y}, {x + 80, y}, solid);
+    arrow(svg, {x - 10, y}, {x + 85, y}, solid);
     dot_at(svg, {x - 10, y}, svg_color::blue);
     dot_at(svg, {x - root_x(y), y}, svg_color::red, false);
     dot_at(svg, {x + root_x(y), y}, svg_color::red);
-    text(svg, {x, 225}, "t0 ≤ 0 < t1: hit at t1", below);
 
-    x = panel(3, "none"), y = cy + 15;
+    x = panel(3, "none", "none, or both ≤ 0", "a miss"), y = cy + 15;
     arrow(svg, {x - 80, cy - 65}, {x + 80, cy - 65}, solid);
     dot_at(svg, {x - 80, cy - 65}, svg_color::blue);
     line(svg, {x - 80, y}, {x + 58, y}, backwards);
-    arrow(svg, {x + 58, y}, {x + 88, y}, solid);
+    arrow(svg, {x + 58, y}, {x + 85, y}, solid);
     dot_at(svg, {x + 58, y}, svg_color::blue);
     dot_at(svg, {x - root_x(y), y}, svg_color::red, false);
     dot_at(svg, {x + root_x(y), y}, svg_color::red, false);
-    text(svg, {x, 225}, "no root, or both behind", below);
     return svg;
 }
 
@@ -111,20 +109,41 @@ Ray towards_disc(Real distance, Real x, Real y) {
     return {from, normalize(x * u + y * v - from)};
 }
 
-/// A cell a distance, in radii, and a row a method: the normals of the unit sphere at the smaller root.
-Image far_spheres(const std::vector<Method>& methods, const std::vector<Real>& distances, int cell) {
-    Image image =
-        make_image(cell * static_cast<int>(distances.size()), cell * static_cast<int>(methods.size()));
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const auto at = [&](int i) { return 2.4 * ((i % cell + 0.5) / cell - 0.5); };
-            const Ray ray = towards_disc(distances[static_cast<std::size_t>(x / cell)], at(x), -at(y));
-            const Sphere sphere{{0, 0, 0}, 1};
-            const Roots roots = methods[static_cast<std::size_t>(y / cell)](sphere, ray);
+/// The normals of the unit sphere at the smaller root, from this distance.
+Image far_sphere(Method method, Real distance, int size) {
+    Image image = make_image(size, size);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const auto at = [&](int i) { return 2.4 * ((i + 0.5) / size - 0.5); };
+            const Ray ray = towards_disc(distance, at(x), -at(y));
+            const Roots roots = method({{0, 0, 0}, 1}, ray);
             pixel(image, x, y) = Vec3(0.02, 0.02, 0.03);
             if (roots.count > 0) pixel(image, x, y) = 0.5 * (normalize(point_at(ray, roots.t0)) + 1.0);
         }
     return image;
+}
+
+/// A row a method, a column a distance.
+Svg far_spheres() {
+    const std::pair<Real, const char*> distances[] = {
+        {1e6, "10⁶ radii"}, {1e7, "10⁷"}, {3e7, "3 · 10⁷"}, {1e8, "10⁸"}};
+    const std::pair<Method, const char*> methods[] = {{naive::intersections, "h² − a·c"},
+                                                      {intersections, "a·(r² − w·w)"}};
+    const int size = 150;
+    const Real left = 150, top = 34, step = size + 10;
+    Svg svg{.width = static_cast<int>(left + 4 * step), .height = static_cast<int>(top + 2 * step)};
+    for (std::size_t i = 0; i < 4; ++i)
+        text(svg, {left + (static_cast<Real>(i) + 0.5) * step - 5, 20}, distances[i].second,
+             {.size = 20, .anchor = "middle", .bold = true});
+    for (std::size_t m = 0; m < 2; ++m) {
+        const Real y = top + static_cast<Real>(m) * step;
+        text(svg, {left - 10, y + size / 2.0 + 5}, methods[m].second,
+             {.size = 19, .anchor = "end", .bold = true});
+        for (std::size_t i = 0; i < 4; ++i)
+            figures::picture(svg, {left + static_cast<Real>(i) * step, y},
+                             far_sphere(methods[m].first, distances[i].first, size));
+    }
+    return svg;
 }
 
 /// For each distance: how many of many lines are judged wrongly, and how far from the sphere the points are
@@ -152,6 +171,32 @@ std::string far_sphere_errors() {
             }
         }
         csv += fmt::format("1e{},{},{},{:.0e},{:.0e}\n", power, wrong[0], wrong[1], off[0], off[1]);
+    }
+    return csv;
+}
+
+/// Whether the line meets the sphere around the origin, by h² − a·c in single precision.
+bool hit_in_single(const glm::vec3& origin, const glm::vec3& direction, float radius) {
+    const float a = dot(direction, direction), h = dot(origin, direction);
+    return h * h - a * (dot(origin, origin) - radius * radius) >= 0;
+}
+
+/// The first column of `far_sphere_errors`, but in single precision.
+std::string far_sphere_in_single() {
+    const int lines = 10000;
+    std::string csv = "distance from the surface in radii,wrong of 10000 (naive)\n";
+    for (const int distance : {10, 30, 100, 300, 1000, 3000, 10000}) {
+        int wrong = 0;
+        test::Random random(2250);
+        for (int i = 0; i < lines; ++i) {
+            const Real x = random.uniform(-1.2, 1.2), y = random.uniform(-1.2, 1.2);
+            const Ray ray = towards_disc(1 + distance, x, y);
+            const glm::vec3 origin(ray.origin), direction(ray.direction);
+            const oracle::SphereTruth truth =
+                oracle::judge_sphere({{0, 0, 0}, 1}, {Vec3(origin), Vec3(direction)}, 0, 0);
+            wrong += hit_in_single(origin, direction, 1) != (truth.roots > 0);
+        }
+        csv += fmt::format("{},{}\n", distance, wrong);
     }
     return csv;
 }
@@ -204,37 +249,48 @@ Look mistaken(const std::function<std::optional<Real>(const Roots&)>& choose, bo
     };
 }
 
-Image mistakes() {
+std::vector<figures::Panel> panels_of(const std::vector<std::pair<Look, const char*>>& looks) {
+    const int width = 200, height = 150;
+    std::vector<figures::Panel> panels;
+    for (const auto& [look, words] : looks) {
+        panels.push_back({make_image(width, height), words});
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const Vec3 d((x + 0.5 - width / 2) / width, (height / 2 - y - 0.5) / width, -0.9);
+                pixel(panels.back().image, x, y) = look({Vec3(0), normalize(d)});
+            }
+    }
+    return panels;
+}
+
+void draw_mistakes(const Path& out) {
     const auto nearer = [](const Roots& r) { return r.t0 > 0 ? std::optional(r.t0) : std::nullopt; };
     const auto farther = [](const Roots& r) { return r.t1 > 0 ? std::optional(r.t1) : std::nullopt; };
     const auto unchecked = [](const Roots& r) { return std::optional(r.t0); };
     const auto outward = [](const Sphere& s, const Vec3& p) { return normalize(p - s.center); };
     const auto inward = [](const Sphere& s, const Vec3& p) { return normalize(s.center - p); };
     const auto long_normal = [](const Sphere& s, const Vec3& p) { return p - s.center; };
-    const std::vector<Look> looks{mistaken(nearer, false, outward),     mistaken(farther, false, outward),
-                                  mistaken(unchecked, false, outward),  mistaken(nearer, false, inward),
-                                  mistaken(nearer, false, long_normal), mistaken(nearer, true, outward)};
-    const int width = 160, height = 120;
-    std::vector<Image> images;
-    for (const Look& look : looks) {
-        images.push_back(make_image(width, height));
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                const Vec3 d((x + 0.5 - width / 2) / width, (height / 2 - y - 0.5) / width, -0.9);
-                pixel(images.back(), x, y) = look({Vec3(0), normalize(d)});
-            }
-    }
-    return figures::in_rows(images, 3);
+    const Look right = mistaken(nearer, false, outward);
+    write_svg(out / "wrong_roots.svg",
+              figures::side_by_side(panels_of({{right, "right"},
+                                               {mistaken(farther, false, outward), "farther root first"},
+                                               {mistaken(unchecked, false, outward), "behind the eye"}}),
+                                    3));
+    write_svg(out / "wrong_surfaces.svg",
+              figures::side_by_side(panels_of({{mistaken(nearer, false, inward), "normals inwards"},
+                                               {mistaken(nearer, false, long_normal), "not unit vectors"},
+                                               {mistaken(nearer, true, outward), "last one wins"}}),
+                                    3));
 }
 
 void draw_all(const Path& out) {
     write_svg(out / "perpendicular.svg", perpendicular());
     write_svg(out / "four_cases.svg", four_cases());
-    write_image(out / "far_sphere.png",
-                far_spheres({naive::intersections, intersections}, {1e6, 1e7, 3e7, 1e8}, 100));
+    write_svg(out / "far_sphere.svg", far_spheres());
     write_file(out / "far_sphere.csv", far_sphere_errors());
+    write_file(out / "far_sphere_single.csv", far_sphere_in_single());
     write_file(out / "small_root.csv", small_root_errors());
-    write_image(out / "mistakes.png", mistakes());
+    draw_mistakes(out);
     figures::draw_scenes(out, __FILE__, {"normals", "inside", "row", "far"}, 240, 180);
 }
 

@@ -5,10 +5,9 @@
 namespace rt {
 
 CameraFrame camera_frame(const Camera& camera) {
-    // [exercise 01.1] Build the three axes of the camera, each of length 1 and perpendicular to the others:
-    // w points backwards, from camera.look_at to camera.eye; u points to the right and is perpendicular to
-    // camera.up and to w; v points up in the picture and completes them to u × v = w.
-    // glm::normalize and glm::cross are all you need; mind the order of the factors.
+    // [exercise 01.1] Return the three axes of the camera, each of length 1 and perpendicular to the others:
+    // w points backwards, from camera.look_at to camera.eye; u points to the right of the picture; v points
+    // up in it, as far as camera.up allows.
     const Vec3 w = glm::normalize(camera.eye - camera.look_at);
     const Vec3 u = glm::normalize(glm::cross(camera.up, w));
     const Vec3 v = glm::cross(w, u);
@@ -17,10 +16,9 @@ CameraFrame camera_frame(const Camera& camera) {
 }
 
 Ray pixel_ray(const View& view, Real x, Real y) {
-    // [exercise 01.2] Find where the point (x, y) of the picture lies on the image plane: a to the right
-    // of its centre and b above it, each between plus and minus half the picture's extent. The height is
-    // 2 · view.half_height, and pixels are square, so one factor serves both. Then, if view.projection is
-    // Projection::Perspective, return the ray from view.eye towards a·u + b·v − w, its direction of length 1.
+    // [exercise 01.2] Find where the point (x, y) of the picture lies on the image plane: a to the right of
+    // its centre, and b above it. If view.projection is Projection::Perspective, return the ray from view.eye
+    // through that point; its direction has length 1.
     const auto& [u, v, w] = view.frame;
     const Real a = view.half_height * (2 * x - view.width) / view.height;
     const Real b = view.half_height * (view.height - 2 * y) / view.height;
@@ -28,8 +26,7 @@ Ray pixel_ray(const View& view, Real x, Real y) {
         return Ray{view.eye, glm::normalize(a * u + b * v - w)};
     }
     // [/exercise]
-    // [exercise 01.3] What is left is the orthographic view. All its rays are parallel, along −w; what
-    // changes from pixel to pixel is where they start: at view.eye, moved by a along u and by b along v.
+    // [exercise 01.3] What is left is the orthographic view. Return the ray through the point (x, y) there.
     return Ray{view.eye + a * u + b * v, -w};
     // [/exercise]
 }

@@ -7,9 +7,8 @@
 namespace rt {
 
 std::optional<Hit> intersect(const Plane& plane, const Ray& ray, Interval range) {
-    // [exercise 01.4] Put the point o + t·d of the ray into the equation n · (p − q) = 0 of the plane, where
-    // n is plane.normal and q is plane.point, and solve for t. Return a Hit with this t if it lies in the
-    // range (see `contains`), and std::nullopt if it does not, or if the ray is parallel to the plane.
+    // [exercise 01.4] Return a Hit with the t at which the ray meets the plane, if that lies in the range,
+    // and std::nullopt if it does not, or if the ray is parallel to the plane.
     const Real slope = glm::dot(plane.normal, ray.direction);
     if (slope == 0) return std::nullopt;
     const Real t = glm::dot(plane.normal, plane.point - ray.origin) / slope;
@@ -34,9 +33,8 @@ Surface surface_at(const Plane& plane, const Ray& ray, const Hit& hit) {
 }
 
 std::optional<Hit> closest_hit(std::span<const Plane> planes, const Ray& ray, Interval range) {
-    // [exercise 01.5] Ask `intersect` about every plane and keep the hit with the smallest t; write the index
-    // of its plane into Hit::primitive. At equal t the plane that comes first in `planes` stays. Once there
-    // is a hit, nothing behind it matters: range.max may shrink to its t.
+    // [exercise 01.5] Return the hit with the smallest t of all in the range, and the index of its plane in
+    // Hit::primitive. At equal t the plane that comes first in `planes` wins.
     std::optional<Hit> nearest;
     for (std::size_t i = 0; i < planes.size(); ++i) {
         const std::optional<Hit> hit = intersect(planes[i], ray, range);

@@ -7,8 +7,8 @@
 namespace rt {
 
 Roots solve_quadratic(Real a, Real h, Real c, Real discriminant) {
-    // [exercise 02.1] Return the real roots of a·t² + 2·h·t + c = 0 in ascending order, none of them the
-    // difference of two numbers that may be nearly equal. `discriminant` is h² − a·c: take it as given.
+    // [exercise 02.1] Return the real roots of a·t² + 2·h·t + c = 0 in ascending order, each with nearly all
+    // of its digits. `discriminant` is h² − a·c: take it as given.
     if (discriminant < 0) return {};
     if (discriminant == 0) return {1, -h / a, -h / a};
     const Real q = -(h + std::copysign(std::sqrt(discriminant), h));

@@ -8,8 +8,8 @@
 namespace rt {
 
 Roots intersections(const Sphere& sphere, const Ray& ray) {
-    // [exercise 02.2] Return the roots of a·t² + 2·h·t + c = 0 for this line and this sphere. Compute the
-    // discriminant from w, the vector from the centre to the point of the line nearest to it.
+    // [exercise 02.2] Return both t at which the line of the ray meets the sphere, also where the sphere is
+    // many millions of its radii away. The direction may have any length.
     const Vec3& d = ray.direction;
     const Vec3 f = ray.origin - sphere.center;
     const Real a = dot(d, d);
@@ -24,8 +24,8 @@ Roots intersections(const Sphere& sphere, const Ray& ray) {
 }
 
 std::optional<Hit> intersect(const Sphere& sphere, const Ray& ray, Interval range) {
-    // [exercise 02.3] Return a Hit with the smallest root in the range, or std::nullopt. Leave the Hit's
-    // other fields as they are.
+    // [exercise 02.3] Return a Hit with the smallest root in the range, or std::nullopt if no root is in it.
+    // Leave the Hit's other fields as they are.
     const Roots roots = intersections(sphere, ray);
     if (roots.count == 0) return std::nullopt;
     if (contains(range, roots.t0)) return Hit{.t = roots.t0};
@@ -36,8 +36,8 @@ std::optional<Hit> intersect(const Sphere& sphere, const Ray& ray, Interval rang
 
 Surface surface_at(const Sphere& sphere, const Ray& ray, const Hit& hit) {
     Surface surface;
-    // [exercise 02.4] Set the surface's normal, shading_normal and point. The vector from the centre to the
-    // hit gives the normal; the point is where that normal, times the radius, ends.
+    // [exercise 02.4] Set the surface's normal, which is outward and 1 long, its shading_normal, which is the
+    // same here, and its point, which is on the sphere up to the last bits.
     const Vec3 f = ray.origin - sphere.center;
     const Vec3 n = normalize(f + hit.t * ray.direction);
     surface.normal = n;
@@ -59,8 +59,8 @@ Surface surface_at(const Sphere& sphere, const Ray& ray, const Hit& hit) {
 }
 
 Vec2 sphere_uv(const Vec3& normal) {
-    // [exercise 02.4] u is the longitude atan2(z, x) as a part of a whole turn, v the latitude asin(y) from
-    // pole to pole. Wrap negative u by adding 1; u stays below 1.
+    // [exercise 02.4] Return the longitude and the latitude of the point with this normal, as the header
+    // defines them: u from 0 to less than 1, v from 0 at the south pole to 1 at the north pole.
     const Real turn = std::atan2(normal.z, normal.x) / (2 * pi);
     const Real wrapped = turn < 0 ? turn + 1 : turn;
     // A tiny negative turn plus 1 is rounded to 1.
@@ -69,8 +69,8 @@ Vec2 sphere_uv(const Vec3& normal) {
 }
 
 std::optional<Hit> closest_hit(std::span<const Sphere> spheres, const Ray& ray, Interval range) {
-    // [exercise 02.5] Return the nearest hit of all, with `primitive` the index of its sphere; of equal
-    // distances the lowest index wins.
+    // [exercise 02.5] Return the nearest hit of the ray with all the spheres, and the index of the sphere in
+    // its `primitive`. Of equal distances the lowest index wins.
     std::optional<Hit> closest;
     for (std::size_t i = 0; i < spheres.size(); ++i) {
         const std::optional<Hit> hit = intersect(spheres[i], ray, range);

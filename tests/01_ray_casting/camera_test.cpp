@@ -51,6 +51,15 @@ Real sine(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
+TEST_CASE("the lesson's example: a camera at (0, 3, 4) that looks down on the origin", "[01.1]") {
+    // The camera looks down on the origin along (0, -3, -4), which is 5 long.
+    const CameraFrame frame = camera_frame(camera_at({0, 3, 4}, {0, 0, 0}));
+    INFO("eye (0, 3, 4), look at (0, 0, 0), up (0, 1, 0)\n" << show(frame));
+    CHECK(near_direction(frame.u, {1, 0, 0}, 4 * u_round));
+    CHECK(near_direction(frame.v, {0, 0.8, -0.6}, 8 * u_round));
+    CHECK(near_direction(frame.w, {0, 0.6, 0.8}, 4 * u_round));
+}
+
 TEST_CASE("a camera that looks along -z has the world's axes", "[01.1]") {
     const CameraFrame frame = camera_frame(camera_at({0, 0, 5}, {0, 0, 0}));
     INFO("eye (0, 0, 5), look at (0, 0, 0), up (0, 1, 0)\n" << show(frame));
@@ -65,15 +74,6 @@ TEST_CASE("a camera on the x axis that looks at the origin has -z on its right",
     CHECK(near_direction(frame.u, {0, 0, -1}, 4 * u_round));
     CHECK(near_direction(frame.v, {0, 1, 0}, 4 * u_round));
     CHECK(near_direction(frame.w, {1, 0, 0}, 4 * u_round));
-}
-
-TEST_CASE("up need not be perpendicular to the view", "[01.1]") {
-    // The camera looks down on the origin along (0, -3, -4), which is 5 long.
-    const CameraFrame frame = camera_frame(camera_at({0, 3, 4}, {0, 0, 0}));
-    INFO("eye (0, 3, 4), look at (0, 0, 0), up (0, 1, 0)\n" << show(frame));
-    CHECK(near_direction(frame.u, {1, 0, 0}, 4 * u_round));
-    CHECK(near_direction(frame.v, {0, 0.8, -0.6}, 8 * u_round));
-    CHECK(near_direction(frame.w, {0, 0.6, 0.8}, 4 * u_round));
 }
 
 TEST_CASE("a camera held upside down has its right on the other side", "[01.1]") {
@@ -140,6 +140,17 @@ TEST_CASE("a camera frame does not depend on the unit of length, to the bit", "[
         }
     }
     SUCCEED();
+}
+
+TEST_CASE("the lesson's example: the ray of the top left pixel goes along (-1.5, -0.2, -1.1)", "[01.2]") {
+    // The eye at (0, 3, 4) looks at the origin; 4 x 2 pixels, a field of view of 90 degrees.
+    View view = plain_view(4, 2, 1);
+    view.frame = {{1, 0, 0}, {0, 0.8, -0.6}, {0, 0.6, 0.8}};
+    view.eye = {0, 3, 4};
+    const Ray ray = pixel_ray(view, 0.5, 0.5);
+    INFO("the eye at (0, 3, 4), 4 x 2 pixels, half height 1, the point (0.5, 0.5): " << ray);
+    CHECK(ray.origin == Vec3(0, 3, 4));
+    CHECK(near_direction(ray.direction, Vec3(-1.5, -0.2, -1.1) / std::sqrt(3.5), 8 * u_round));
 }
 
 TEST_CASE("the ray through the middle of the picture looks along -w", "[01.2]") {

@@ -69,6 +69,10 @@ void check_none(const std::vector<Plane>& walls, const Ray& ray, const Interval&
 
 }  // namespace
 
+TEST_CASE("the lesson's example: from 3 above the ground, down by 0.2 a step, it takes 15 steps", "[01.4]") {
+    check_hit(ground, {{0, 3, 4}, {-1.5, -0.2, -1.1}}, everything, 15, 8 * unit_roundoff * 15);
+}
+
 TEST_CASE("a ray straight down meets the ground at its height", "[01.4]") {
     check_hit(ground, {{0, 1, 0}, {0, -1, 0}}, everything, 1);
 }

@@ -32,6 +32,10 @@ void check_roots(Real a, Real h, Real c, Real discriminant, Real expected0, Real
 
 }  // namespace
 
+TEST_CASE("the lesson's example: t^2 - 20t + 84 has the roots 6 and 14", "[02.1]") {
+    check_roots(1, -10, 84, 16, 6, 14);
+}
+
 TEST_CASE("t^2 - 5t + 6 has the roots 2 and 3", "[02.1]") { check_roots(1, -2.5, 6, 0.25, 2, 3); }
 
 TEST_CASE("t^2 - 4 has the roots -2 and 2, though h is zero", "[02.1]") {

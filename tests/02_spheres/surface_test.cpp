@@ -60,6 +60,15 @@ Case aimed(Random& random) {
 
 }  // namespace
 
+TEST_CASE("the lesson's example: at (0, 0, -6) the normal is (0, -0.6, 0.8), and u is a quarter", "[02.4]") {
+    const Sphere sphere{{0, 3, -10}, 5};
+    const Ray ray{{0, 0, 0}, {0, 0, -1}};
+    check_surface(sphere, ray, {0, 0, -6}, {0, -0.6, 0.8});
+    const Vec2 uv = sphere_uv(seen(sphere, ray).normal);
+    INFO("u and v there: v is less than a half, below the equator");
+    CHECK(test::near(uv, {0.25, 0.2951672353008665}, 8 * unit_roundoff));
+}
+
 TEST_CASE("the normal of the unit sphere is the point itself", "[02.4]") {
     const Sphere sphere{{0, 0, 0}, 1};
     check_surface(sphere, {{0, 0, 5}, {0, 0, -1}}, {0, 0, 1}, {0, 0, 1});
