@@ -11,7 +11,7 @@ struct SpotLight {
     PointLight lamp;
     Vec3 axis{0, -1, 0};  ///< unit, from the lamp along the middle of the cone
     Real inner = 1;       ///< cosine of the angle up to which all of the light arrives
-    Real outer = 0;       ///< cosine of the angle from which on none arrives; not greater than `inner`
+    Real outer = 0;       ///< cosine of the angle from which on none arrives; at most `inner`
 };
 
 /// [05.6] What a spot light sends to `point`: what its lamp would, and the colour multiplied by a part that

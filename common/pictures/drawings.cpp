@@ -77,7 +77,7 @@ std::vector<DrawnPixel> sides(const Drawing& drawing) {
 
 /// A wall, and a lamp with a shade close before it.
 std::vector<DrawnPixel> spot(const Drawing& drawing) {
-    const Vec3 lamp(-0.4, 0.6, 0.8), middle(0.05, -0.1, 0);
+    const Vec3 lamp(-0.4, 0.6, 0.8), middle(0, 0.15, 0);
     const SpotLight shaded{
         {.position = lamp, .color = {0.9, 0.85, 0.7}}, normalize(middle - lamp), 0.94, 0.84};
     return asked_everywhere(drawing, [&](const Vec2& p) -> DrawnPixel {

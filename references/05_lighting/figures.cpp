@@ -345,7 +345,7 @@ void draw_radiance(const Path& directory) {
 
 /// A wall, and a lamp with a shade close before it, with a hard edge and with a soft one.
 void draw_spot(const Path& directory) {
-    const Vec3 lamp(-0.4, 0.6, 0.8), middle(0.05, -0.1, 0);
+    const Vec3 lamp(-0.4, 0.6, 0.8), middle(0, 0.15, 0);
     std::vector<Image> images;
     for (const Real outer : {0.94, 0.84}) {
         const SpotLight light{{.position = lamp, .color = {1.6, 1.5, 1.2}, .attenuation = {0.5, 0, 1}},
@@ -406,7 +406,7 @@ void draw_normalised(const Path& directory) {
             const Shade shade = [=](const Vec3& n, const Vec3& v) {
                 return emitted_light(paint) + reflected_light(paint, n, v, lamp, Vec3(1));
             };
-            const std::string words = fmt::format("{} s = {}", normalised ? "5 %" : "0.3", s);
+            const std::string words = fmt::format("{}, s = {}", normalised ? "5 %" : "0.3", s);
             images.push_back(ball(shade, words.c_str()));
         }
     write_image(directory / "normalised.png", in_rows(images, 4));
