@@ -6,6 +6,8 @@
 #include "chapters/02_spheres/sphere.hpp"
 #include "chapters/03_triangles/polygon.hpp"
 #include "chapters/03_triangles/triangle.hpp"
+#include "chapters/05_lighting/spot.hpp"
+#include "chapters/06_shadows/eclipse.hpp"
 #include "chapters/08_antialiasing/samples.hpp"
 #include "chapters/09_grids/walk.hpp"
 #include "chapters/12_distribution/area_light.hpp"
@@ -114,6 +116,34 @@ std::vector<DrawnPixel> sides(const Drawing& drawing) {
             pixel.answer += side > 0 ? " left" : side < 0 ? " right" : " on it";
         }
         return pixel;
+    });
+}
+
+// ------------------------------------------------------------------------------------------ chapters 5 and 6
+
+/// A wall, and a lamp with a shade close before it.
+std::vector<DrawnPixel> spot(const Drawing& drawing) {
+    const Vec3 lamp(-0.4, 0.6, 0.8), middle(0, 0.15, 0);
+    const SpotLight shaded{
+        {.position = lamp, .color = {0.9, 0.85, 0.7}}, normalize(middle - lamp), 0.94, 0.84};
+    return asked_everywhere(drawing, [&](const Vec2& p) -> DrawnPixel {
+        const Vec3 color = sample_light(shaded, Vec3(p, 0)).color;
+        return {dark + color, "the wall at " + in_words(p),
+                fmt::format("({:.4g}, {:.4g}, {:.4g}) of light", color.x, color.y, color.z)};
+    });
+}
+
+/// A floor from above, and the shadow of a ball over it; each point sees how much of the sun the ball hides.
+std::vector<DrawnPixel> eclipse(const Drawing& drawing) {
+    const Vec3 ball(-0.35, 0.2, 0.9), to_sun = normalize(Vec3(-0.4, 0.25, 1));
+    constexpr Real radius = 0.35, sun = 0.2;
+    return asked_everywhere(drawing, [&](const Vec2& p) -> DrawnPixel {
+        const Vec3 to_ball = ball - Vec3(p, 0);
+        const Real moon = std::asin(radius / length(to_ball));
+        const Real apart = std::acos(std::clamp(dot(normalize(to_ball), to_sun), Real(-1), Real(1)));
+        const Real part = eclipsed(sun, moon, apart);
+        return {dark + (1 - part) * Vec3(0.9, 0.85, 0.7), "the floor at " + in_words(p),
+                fmt::format("{:.4g} of the sun hidden", part)};
     });
 }
 
@@ -349,6 +379,8 @@ constexpr Drawing drawings[] = {
     {"lens", 64, 48, lens},
     {"inside", 64, 48, inside},
     {"sides", 64, 48, sides},
+    {"spot", 64, 48, spot},
+    {"eclipse", 64, 48, eclipse},
     {"regular", 65, 65, regular},
     {"jittered", 65, 65, jittered},
     {"poisson", 65, 65, poisson},

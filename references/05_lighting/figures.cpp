@@ -2,6 +2,10 @@
 // Numbers in the figures are computed here, by the course's own functions where there is one.
 #include "references/figures.hpp"
 #include "chapters/05_lighting/lighting.hpp"
+#include "chapters/05_lighting/spot.hpp"
+#include "references/labels.hpp"
+
+#include <fmt/format.h>
 
 #include <functional>
 
@@ -24,14 +28,14 @@ void ground(Svg& svg, Real x0, Real x1, Real y) {
 // Lambert's cosine --------------------------------------------------------------------------------------
 
 void draw_cosine(const Path& directory) {
-    Svg svg{.width = 700, .height = 250};
-    const Real width = 70, floor = 200;
+    Svg svg{.width = 760, .height = 250};
+    const Real width = 64, floor = 200;
     const std::vector<Real> angles{0, 45, 70};
     for (std::size_t i = 0; i < angles.size(); ++i) {
         const Real angle = angles[i];
-        const Vec2 d = -leaning(-angle), foot(i == 0 ? 110.0 : i == 1 ? 320.0 : 575.0, floor);
+        const Vec2 d = -leaning(-angle), foot(i == 0 ? 85.0 : i == 1 ? 310.0 : 640.0, floor);
         const Real lit = width / std::cos(radians(angle));
-        ground(svg, foot.x - 108, foot.x + 108, floor);
+        ground(svg, foot.x - (i == 0 ? 70 : 112), foot.x + (i == 0 ? 70 : 112), floor);
         const Vec2 left = foot - Vec2(lit / 2, 0), right = foot + Vec2(lit / 2, 0);
         const Vec2 back = Real(130) * d;
         const std::vector<Vec2> beam{left, right, right - back, left - back};
@@ -76,14 +80,14 @@ void draw_vectors(const Path& directory) {
         // The angle whose cosine is raised to a power.
         const Real a = radians(90 - std::max(from, to)), b = radians(90 - std::min(from, to));
         arc(svg, foot, 120, a, b, {.stroke = red, .width = 2});
-        const Vec2 at = foot + Real(half ? 96 : 138) * leaning((from + to) / 2);
-        text(svg, at + Vec2(0, 5), decimal(std::abs(to - from)) + "°",
+        const Vec2 at = foot + Real(half ? 132 : 138) * leaning((from + to) / 2);
+        text(svg, at + Vec2(0, half ? 0 : 5), decimal(std::abs(to - from)) + "°",
              anchored(SvgFont{.size = 14, .color = red}, "middle"));
         if (!half) arc(svg, foot, 60, radians(90), radians(90 - to_light), {.stroke = grey, .width = 1.3});
         if (!half) arc(svg, foot, 60, radians(90 + to_light), radians(90), {.stroke = grey, .width = 1.3});
         const SvgFont formula{.size = 15, .anchor = "middle"};
-        text(svg, {foot.x - 62, 273}, half ? "h = normalize(l + v)" : "r = 2(n·l)n − l", formula);
-        text(svg, {foot.x + 88, 273}, half ? "highlight = (n·h)ˢ" : "highlight = (r·v)ˢ", formula);
+        text(svg, {foot.x - 72, 273}, half ? "h = normalize(l + v)" : "r = 2(n·l)n − l", formula);
+        text(svg, {foot.x + 94, 273}, half ? "highlight = (n·h)ˢ" : "highlight = (r·v)ˢ", formula);
         dot_at(svg, foot, ink, 4);
     }
     write_svg(directory / "vectors.svg", svg);
@@ -156,7 +160,7 @@ Real from_tube(Real d) {
 }
 
 void draw_attenuation(const Path& directory) {
-    Svg svg{.width = 700, .height = 330};
+    Svg svg{.width = 730, .height = 330};
     const Vec2 corner(85, 25);
     const Real right = 430, down = 235;
     const auto place = [&](Real d, Real value) {
@@ -202,36 +206,62 @@ void draw_attenuation(const Path& directory) {
     text(svg, {corner.x + right + 14, 198}, "dots: the lamp, summed", note);
     text(svg, {corner.x + right + 14, 216}, "up from small patches", note);
     text(svg, {corner.x + right / 2, 318}, "distance d", anchored(SvgFont{.size = 14}, "middle"));
-    text(svg, {28, corner.y + down / 2}, "light on a surface that faces the lamp",
+    text(svg, {28, corner.y + down / 2}, "light on a surface facing the lamp",
          {.size = 14, .anchor = "middle", .turn = -90});
     write_svg(directory / "attenuation.svg", svg);
 }
 
 // Pictures ----------------------------------------------------------------------------------------------
 
+/// A scene as it is looked at, with words in it.
+Image shown(const char* name, const char* words) {
+    return labelled(render(compile(scene_beside(__FILE__, name))).image, words);
+}
+
+void draw_goals(const Path& directory) {
+    write_image(directory / "goals.png",
+                in_rows({shown("lambert", "the cosine law"), shown("highlights", "highlights"),
+                         shown("attenuation", "attenuation"), shown("smooth", "round or flat")},
+                        2));
+}
+
+/// Its two halves are two ways of making highlights.
+void draw_phong(const Path& directory) {
+    const Image whole = render(compile(scene_beside(__FILE__, "phong"))).image;
+    std::vector<Image> halves;
+    for (int k = 0; k < 2; ++k) {
+        Image half = make_image(whole.width / 2, whole.height);
+        for (int y = 0; y < half.height; ++y)
+            for (int x = 0; x < half.width; ++x) pixel(half, x, y) = pixel(whole, k * half.width + x, y);
+        halves.push_back(labelled(half, k == 0 ? "half vector" : "reflection"));
+    }
+    write_image(directory / "phong.png", in_rows(halves, 2, 0));
+}
+
 /// The same light twice: encoded for the screen, and with its numbers written into the file as they are.
 void draw_encoding(const Path& directory) {
-    const Image right = render(compile(scene_beside(__FILE__, "encoding"))).image;
-    Image wrong = right;
-    for (Vec3& p : wrong.pixels)
-        for (int i = 0; i < 3; ++i) p[i] = decode(p[i], Encoding::Srgb);
-    write_image(directory / "encoding.png", in_rows({right, wrong}, 2));
+    const Image light = render(compile(scene_beside(__FILE__, "encoding"))).image;
+    write_image(
+        directory / "encoding.png",
+        in_rows({labelled(as_displayed(light, Encoding::Srgb), "encoded"), labelled(light, "light as bytes")},
+                2),
+        Encoding::Linear);
 }
 
 /// What one pixel of the picture of mistakes shows.
 using Shade = std::function<Vec3(const Vec3& n, const Vec3& v)>;
 
-Image ball(const Shade& shade) {
-    const int size = 112;
-    Image image = make_image(size, size);
-    for (int y = 0; y < size; ++y)
+Image ball(const Shade& shade, const char* words) {
+    const int size = 170, above = 22;
+    Image image = make_image(size, size + above);
+    for (int y = 0; y < size + above; ++y)
         for (int x = 0; x < size; ++x) {
-            const Real a = 2.3 * ((x + 0.5) / size - 0.5), b = -2.3 * ((y + 0.5) / size - 0.5);
+            const Real a = 2.2 * ((x + 0.5) / size - 0.5), b = -2.2 * ((y - above + 0.5) / size - 0.5);
             const Real square = a * a + b * b;
             const Vec3 n(a, b, std::sqrt(std::max(1 - square, 0.0)));
             pixel(image, x, y) = square < 1 ? shade(n, {0, 0, 1}) : Vec3(0.03);
         }
-    return image;
+    return labelled(image, words);
 }
 
 void draw_mistakes(const Path& directory) {
@@ -268,20 +298,182 @@ void draw_mistakes(const Path& directory) {
         return lambert(n, l) > 0 ? diffuse + std::pow(std::max(dot(n, l + v), 0.0), 30.0) * paint.specular
                                  : diffuse;
     };
-    write_image(directory / "mistakes.png",
-                in_rows({ball(sum(right)), ball(sum(not_clamped)), ball(sum(both_sides)), ball(sum(away)),
-                         ball(sum(from_behind)), ball(sum(long_half))},
+    write_image(directory / "wrong_cosines.png",
+                in_rows({ball(sum(right), "right"), ball(sum(away), "l reversed"),
+                         ball(sum(not_clamped), "no max"), ball(sum(both_sides), "both sides")},
+                        4));
+    write_image(directory / "wrong_highlights.png",
+                in_rows({ball(sum(right), "right"), ball(sum(long_half), "h too long"),
+                         ball(sum(from_behind), "from behind")},
                         3));
 }
 
+// What the numbers mean ---------------------------------------------------------------------------------
+
+/// Radiance: the light of a patch, in a narrow cone of directions.
+void draw_radiance(const Path& directory) {
+    Svg svg{.width = 700, .height = 300};
+    const Vec2 foot(250, 250);
+    const Real lean = 40, spread = 8, reach = 230;
+    ground(svg, 40, 460, 250);
+    const Vec2 d = leaning(lean), across(-d.y, d.x);
+    const Real patch = 40;
+    const Real seen = patch * std::cos(radians(lean));
+    const std::vector<Vec2> beam{foot, foot + reach * leaning(lean - spread),
+                                 foot + reach * leaning(lean + spread)};
+    polygon(svg, beam, {.stroke = "none", .fill = orange, .opacity = 0.3});
+    line(svg, beam[0], beam[1], {.stroke = orange, .width = 1.4});
+    line(svg, beam[0], beam[2], {.stroke = orange, .width = 1.4});
+    arrow(svg, foot, foot + (reach + 30) * d, {.stroke = ink, .width = 2});
+    arrow(svg, foot, foot - Vec2(0, 150), {.stroke = blue, .width = 2.2});
+    line(svg, foot - Vec2(patch, 0), foot + Vec2(patch, 0), {.stroke = red, .width = 6});
+    const Vec2 mid = foot + Real(62) * d;
+    line(svg, mid - seen * across, mid + seen * across, {.stroke = green, .width = 4});
+    arc(svg, foot, 105, radians(90 - lean), radians(90), {.stroke = blue, .width = 1.6});
+    text(svg, foot + Real(122) * leaning(lean / 2) + Vec2(-4, 4), "θ", colored(label, blue));
+    text(svg, foot + Vec2(-20, -140), "n", colored(label, blue));
+    text(svg, foot + (reach + 36) * d + Vec2(4, -2), "v", label);
+    text(svg, foot + Vec2(-patch - 4, 34), "a patch of the surface", colored(SvgFont{.size = 15}, red));
+    const SvgFont words{.size = 15};
+    text(svg, {385, 215}, "the patch as seen from v:", colored(words, green));
+    text(svg, {385, 234}, "cos θ times as large", colored(words, green));
+    text(svg, {465, 70}, "a narrow cone of directions:", colored(words, "#b07800"));
+    text(svg, {465, 90}, "its solid angle, in steradians", colored(words, "#b07800"));
+    text(svg, {20, 28}, "radiance = power / (area as seen · solid angle)", {.size = 16});
+    write_svg(directory / "radiance.svg", svg);
+}
+
+/// A wall, and a lamp with a shade close before it, with a hard edge and with a soft one.
+void draw_spot(const Path& directory) {
+    const Vec3 lamp(-0.4, 0.6, 0.8), middle(0, 0.15, 0);
+    std::vector<Image> images;
+    for (const Real outer : {0.94, 0.84}) {
+        const SpotLight light{{.position = lamp, .color = {1.6, 1.5, 1.2}, .attenuation = {0.5, 0, 1}},
+                              normalize(middle - lamp),
+                              0.94,
+                              outer};
+        Image image = make_image(320, 240);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) {
+                const Vec3 wall((x + 0.5 - 160) / 160, (120 - y - 0.5) / 160, 0);
+                const LightSample sample = sample_light(light, wall);
+                pixel(image, x, y) = Vec3(0.02) + sample.color * lambert({0, 0, 1}, sample.direction);
+            }
+        images.push_back(labelled(image, outer < 0.94 ? "soft edge" : "hard edge"));
+    }
+    write_image(directory / "spot.png", in_rows(images, 2));
+}
+
+/// How much of what arrives a highlight of weight 1 sends on, light coming in at an angle from the normal:
+/// the mean of highlight · cos θ over the hemisphere of directions v, by midpoints, over π · cos of that
+/// angle.
+Real sent_on(Real (*highlight)(const Vec3&, const Vec3&, const Vec3&, Real), Real shininess, Real degrees) {
+    constexpr int rows = 1000, columns = 1000;
+    const Vec3 n(0, 0, 1), l(std::sin(radians(degrees)), 0, std::cos(radians(degrees)));
+    Real sum = 0;
+    for (int i = 0; i < rows; ++i)
+        for (int k = 0; k < columns; ++k) {
+            // Even in the square of the sine: each cell has the same integral of the cosine,
+            // π/(rows·columns).
+            const Real sine = std::sqrt((i + 0.5) / rows), around = 2 * pi * (k + 0.5) / columns;
+            const Vec3 v(sine * std::cos(around), sine * std::sin(around), std::sqrt(1 - sine * sine));
+            sum += highlight(n, l, v, shininess);
+        }
+    return sum / (rows * columns) / std::cos(radians(degrees));
+}
+
+void write_energy(const Path& directory) {
+    std::string csv =
+        "shininess,half vector from above,half vector from 85 degrees,reflection vector from above\n";
+    for (const Real s : {1.0, 8.0, 40.0, 400.0, 1000.0})
+        csv += fmt::format("{},{:.4f},{:.4f},{:.4f}\n", s, sent_on(blinn, s, 0), sent_on(blinn, s, 85),
+                           sent_on(phong, s, 0));
+    write_file(directory / "energy.csv", csv);
+}
+
+/// Above, highlights of the same weight; below, highlights that send on the same part of the light.
+void draw_normalised(const Path& directory) {
+    const Vec3 diffuse(0.06, 0.13, 0.28);
+    const LightSample lamp{normalize(Vec3(-0.6, 0.7, 1)), 1, Vec3(1)};
+    std::vector<Image> images;
+    for (const bool normalised : {false, true})
+        for (const Real s : {1.0, 8.0, 40.0, 400.0}) {
+            Material paint;
+            paint.ambient = Vec3(0.01);
+            paint.diffuse = diffuse;
+            paint.shininess = s;
+            paint.specular = Vec3(normalised ? 0.05 / sent_on(blinn, s, 0) : 0.3);
+            const Shade shade = [=](const Vec3& n, const Vec3& v) {
+                return emitted_light(paint) + reflected_light(paint, n, v, lamp, Vec3(1));
+            };
+            const std::string words = fmt::format("{}, s = {}", normalised ? "5 %" : "0.3", s);
+            images.push_back(ball(shade, words.c_str()));
+        }
+    write_image(directory / "normalised.png", in_rows(images, 4));
+}
+
+Real luminance(const Vec3& c) { return dot(c, Vec3(0.2126, 0.7152, 0.0722)); }
+
+/// Three times the light of a scene: cut off at 1, exposed for a third of the time, and by a tone curve.
+void draw_above_one(const Path& directory, std::string& numbers) {
+    Image bright = render(compile(scene_beside(__FILE__, "highlights"))).image;
+    int above = 0;
+    for (Vec3& p : bright.pixels) {
+        p *= 4;
+        if (std::max({p.x, p.y, p.z}) > 1) ++above;
+    }
+    Image exposed = bright, curved = bright;
+    for (Vec3& p : exposed.pixels) p *= 0.25;
+    for (Vec3& p : curved.pixels) p /= 1 + luminance(p);
+    write_image(directory / "above_one.png",
+                in_rows({labelled(bright, "cut off at 1"), labelled(exposed, "exposure 1/4"),
+                         labelled(curved, "tone curve")},
+                        3));
+    numbers += fmt::format("percent of pixels above 1,{:.1f}\n",
+                           100.0 * above / static_cast<double>(bright.pixels.size()));
+}
+
+/// The exponent g whose curve x^(1/g) is nearest to the curve of sRGB, by the mean square over [0, 1].
+Real nearest_power() {
+    constexpr int points = 2000;
+    Real best = 0, least = infinity;
+    for (int k = 1500; k <= 3000; ++k) {
+        const Real g = k / 1000.0;
+        Real sum = 0;
+        for (int i = 0; i < points; ++i) {
+            const Real x = (i + 0.5) / points;
+            const Real difference = std::pow(x, 1 / g) - encode(x, Encoding::Srgb);
+            sum += difference * difference;
+        }
+        if (sum < least) least = sum, best = g;
+    }
+    return best;
+}
+
+void write_numbers(const Path& directory, std::string numbers) {
+    numbers += fmt::format("light of the byte 128,{:.4f}\n", decode(128 / 255.0, Encoding::Srgb));
+    numbers += fmt::format("byte of half the light,{}\n", encode_byte(0.5, Encoding::Srgb));
+    numbers += fmt::format("nearest plain power,{:.2f}\n", nearest_power());
+    write_file(directory / "numbers.csv", "name,value\n" + numbers);
+}
+
 void draw_all(const Path& directory) {
+    std::string numbers;
+    draw_goals(directory);
     draw_cosine(directory);
     draw_vectors(directory);
     draw_exponents(directory);
     draw_attenuation(directory);
+    draw_phong(directory);
     draw_encoding(directory);
     draw_mistakes(directory);
-    draw_scenes(directory, __FILE__, {"lambert", "highlights", "phong", "attenuation", "smooth"}, 240, 180);
+    draw_radiance(directory);
+    draw_spot(directory);
+    draw_normalised(directory);
+    draw_above_one(directory, numbers);
+    write_energy(directory);
+    write_numbers(directory, numbers);
+    draw_scenes(directory, __FILE__, {"lambert", "highlights", "attenuation", "smooth"}, 240, 180);
 }
 
 }  // namespace

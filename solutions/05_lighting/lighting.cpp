@@ -9,10 +9,10 @@
 namespace rt {
 
 LightSample sample_light(const PointLight& light, const Vec3& point) {
-    // [exercise 05.1] The vector from the point to the light has the direction l and the length d. With the
-    // attenuation (c, l, q) = (x, y, z) the light arrives as color / (c + l·d + q·d²). Where d is 0 return a
-    // LightSample with .distance = 0, and where the quotient is not a finite number one with the colour
-    // black: nothing that is computed from it may become NaN.
+    // [exercise 05.1] In which direction and at what distance d the lamp is, seen from the point, and what
+    // arrives of its light: color / (x + y·d + z·d²), where (x, y, z) is the attenuation. A lamp on
+    // the very point sends nothing, from distance 0; and where the quotient is not a finite number, no light
+    // arrives. Nothing that is computed from the answer may become NaN.
     const Vec3 to_light = light.position - point;
     const Real d = length(to_light);
     if (!(d > 0)) return {.distance = 0};
@@ -26,21 +26,22 @@ LightSample sample_light(const PointLight& light, const Vec3& point) {
 }
 
 LightSample sample_light(const DirectionalLight& light, const Vec3&) {
-    // [exercise 05.1] The light's own direction and colour, from infinitely far away.
+    // [exercise 05.1] The same for a light infinitely far away: its own direction and colour, everywhere.
     return {light.direction, infinity, light.color};
     // [/exercise]
 }
 
 Real lambert(const Vec3& n, const Vec3& l) {
-    // [exercise 05.2] The cosine of the angle between n and l, and 0 where it is negative.
+    // [exercise 05.2] The part of the light that the surface catches: the cosine of the angle between n and
+    // l, and 0 where the light is behind the surface.
     return std::max(dot(n, l), Real(0));
     // [/exercise]
 }
 
 Real blinn(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
-    // [exercise 05.3] Make h = l + v a unit vector and raise n·h to the power `shininess`. Return 0 where n·h
-    // is not greater than 0, and where l and v are opposite, so that h has no direction. Rounding can make
-    // n·h a little greater than 1, and a power of that a lot: let it be 1 at most.
+    // [exercise 05.3] (n·h)^shininess, where h is the unit vector half way between l and v. 0 where n·h is
+    // not greater than 0, and where l and v are opposite, so that h has no direction. Never more than 1,
+    // although rounding can make n·h a little greater.
     const Vec3 h = l + v;
     const Real size = length(h);
     if (!(size > 0)) return 0;
@@ -50,8 +51,8 @@ Real blinn(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
 }
 
 Real phong(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
-    // [exercise 05.4] Mirror l at n: r = 2(n·l)n − l. Raise r·v, at most 1, to the power `shininess`; return
-    // 0 where it is not greater than 0.
+    // [exercise 05.4] (r·v)^shininess, where r is l mirrored at n. 0 where r·v is not greater than 0; never
+    // more than 1.
     const Vec3 r = 2 * dot(n, l) * n - l;
     const Real cosine = dot(r, v);
     return cosine > 0 ? std::pow(std::min(cosine, Real(1)), shininess) : 0;
@@ -60,9 +61,9 @@ Real phong(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
 
 Vec3 reflected_light(const Material& material, const Vec3& n, const Vec3& v, const LightSample& light,
                      const Vec3& visibility) {
-    // [exercise 05.5] Black where n·l ≤ 0. Else visibility · color · (diffuse · lambert + specular ·
-    // highlight), the highlight by blinn or phong as material.highlight says. Where specular is black,
-    // compute none: most surfaces are matt, and a power is the most expensive thing here.
+    // [exercise 05.5] What goes from one light to the viewer: black where n·l ≤ 0, else visibility · color ·
+    // (diffuse · lambert + specular · highlight), with the highlight that material.highlight names. Where
+    // specular is black, compute no highlight: most surfaces are matt, and a power costs more than the rest.
     const Vec3& l = light.direction;
     const Real cosine = lambert(n, l);
     if (!(cosine > 0)) return Vec3(0);

@@ -9,10 +9,9 @@
 namespace rt {
 
 Vec3 offset_origin(const Surface& surface, const Vec3& direction) {
-    // [exercise 06.1] The box of the error bound e around the point reaches d = Σ |nᵢ|·eᵢ far along the
-    // normal n (the geometric one). Move the point by d·n, or by −d·n where the direction points to the other
-    // side. The addition was rounded: move each coordinate on to the next number away from the surface
-    // (std::nextafter, up where that coordinate of the offset is positive, down where it is negative).
+    // [exercise 06.1] The point, moved along the geometric normal n to the side that `direction` points to,
+    // until all of the box of its error bound e is behind it; then each coordinate that was moved goes on to
+    // the next number in the same direction, because the addition was rounded.
     const Vec3& n = surface.normal;
     const Real d = dot(glm::abs(n), surface.error);
     const Vec3 offset = dot(direction, n) < 0 ? -d * n : d * n;
@@ -26,30 +25,30 @@ Vec3 offset_origin(const Surface& surface, const Vec3& direction) {
 }
 
 ShadowRay shadow_ray(const Surface& surface, const LightSample& light) {
-    // [exercise 06.2] Start at the offset origin. To a light infinitely far away go in the light's direction,
-    // without end. Else aim anew, because the origin has moved: the vector to the light is distance ·
-    // direction less the offset, and its length is the new distance d. Hits count in (0, d·(1 − gamma(16))]:
-    // that much may be rounding, and what holds the light must not hide it. Where d is 0, nothing counts.
+    // [exercise 06.2] The ray from the offset origin (06.1) to the light, with a unit direction, and the
+    // range in which hits count. To a light infinitely far away it goes in the light's direction, without
+    // end. Else it is aimed at the light anew, because the origin has moved, and ends at the new distance
+    // times 1 − gamma(16): what holds the light must not hide it. Where that distance is 0 the range is
+    // empty.
     const Vec3 origin = offset_origin(surface, light.direction);
     if (light.distance == infinity) return {{origin, light.direction}, {0, infinity}};
     const Vec3 to_light = light.distance * light.direction - (origin - surface.point);
-    const Real d = length(to_light);
-    if (!(d > 0)) return {{origin, light.direction}, {0, 0}};
-    return {{origin, to_light / d}, {0, d * (1 - gamma(16))}};
+    const Real distance = length(to_light);
+    if (!(distance > 0)) return {{origin, light.direction}, {0, 0}};
+    return {{origin, to_light / distance}, {0, distance * (1 - gamma(16))}};
     // [/exercise]
 }
 
 Vec3 visibility(const World& world, const ShadowRay& shadow) {
-    // [exercise 06.3] Ask `occluded`, which stops at the first thing it finds: a shadow ray wants to know
-    // whether, not what. Nothing arrives if it is, else everything.
+    // [exercise 06.3] White where nothing at all stands between surface and light, else black. It does not
+    // matter what it is, nor where.
     return Vec3(occluded(world, shadow.ray, shadow.range) ? 0 : 1);
     // [/exercise]
 }
 
 Vec3 colored_visibility(const World& world, const ShadowRay& shadow) {
-    // [exercise 06.4] Start with white, and with the closest hit in the range. As long as there is a hit:
-    // multiply by the transmission of its material (surface_at, then material_at), and go on to the
-    // next_hit. Stop where nothing is hit any more, or when the product is black.
+    // [exercise 06.4] The product of the transmissions of all surfaces that the ray meets in its range, white
+    // if there are none. Of surfaces in the same place each counts. Once the product is black, stop.
     Vec3 part(1);
     std::optional<Hit> hit = closest_hit(world, shadow.ray, shadow.range);
     while (hit) {

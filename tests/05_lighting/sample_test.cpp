@@ -42,16 +42,16 @@ void check_sample(const LightSample& sample, const Vec3& direction, Real distanc
 
 }  // namespace
 
+TEST_CASE("by hand: light from (3, 4, 0), at distance 5, is divided by 1 + 2·5 + 3·25", "[05.1]") {
+    const PointLight light{.position = {3, 4, 0}, .color = {86, 172, 43}, .attenuation = {1, 2, 3}};
+    INFO(light << "\nseen from (0, 0, 0), at distance 5: its colour is divided by 86");
+    check_sample(sample_light(light, {0, 0, 0}), {0.6, 0.8, 0}, 5, {1, 2, 0.5}, 16 * unit_roundoff);
+}
+
 TEST_CASE("a point light two units above", "[05.1]") {
     const PointLight light{.position = {1, 5, -1}, .color = {0.5, 0.25, 1}};
     INFO(light << "\nseen from (1, 3, -1)");
     check_sample(sample_light(light, {1, 3, -1}), {0, 1, 0}, 2, {0.5, 0.25, 1});
-}
-
-TEST_CASE("light at distance 5 is divided by 1 + 2·5 + 3·25", "[05.1]") {
-    const PointLight light{.position = {3, 4, 0}, .color = {86, 172, 43}, .attenuation = {1, 2, 3}};
-    INFO(light << "\nseen from (0, 0, 0), at distance 5: its colour is divided by 86");
-    check_sample(sample_light(light, {0, 0, 0}), {0.6, 0.8, 0}, 5, {1, 2, 0.5}, 16 * unit_roundoff);
 }
 
 TEST_CASE("each term of the attenuation works alone", "[05.1]") {

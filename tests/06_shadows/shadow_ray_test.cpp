@@ -36,6 +36,13 @@ Real down_from(Real x) { return std::nextafter(x, -infinity); }
 
 // -------------------------------------------------------------------------------------- 06.1 offset_origin
 
+TEST_CASE("by hand: on a slope the box of the error reaches 0.6 · 1/8 + 0.8 · 1/16 = 1/8", "[06.1]") {
+    const Surface slope = surface_with({0, 0, 7}, {0.125, 0.0625, 1}, {0.6, 0.8, 0});
+    check_origin(slope, {0, 1, 0}, {0.075, 0.1, 7}, "1/8 of the normal away", 2 * unit_roundoff);
+    INFO("its z, which the normal does not change");
+    CHECK(offset_origin(slope, {0, 1, 0}).z == 7);
+}
+
 TEST_CASE("a level surface: the origin moves up by the error in height", "[06.1]") {
     const Surface floor = surface_with({1, 2, 3}, {4, 0.25, 8}, {0, 1, 0});
     check_origin(floor, {0.6, 0.8, 0}, {1, up_from(2.25), 3},
@@ -46,14 +53,6 @@ TEST_CASE("a direction to the other side moves the origin to the other side", "[
     const Surface floor = surface_with({1, 2, 3}, {4, 0.25, 8}, {0, 1, 0});
     check_origin(floor, {0.6, -0.8, 0}, {1, down_from(1.75), 3},
                  "below the surface, at the number next below y = 2 - 0.25");
-}
-
-TEST_CASE("a slanted surface: the box of the error reaches 0.6 · 1/8 + 0.8 · 1/16 = 1/8 along the normal",
-          "[06.1]") {
-    const Surface slope = surface_with({0, 0, 7}, {0.125, 0.0625, 1}, {0.6, 0.8, 0});
-    check_origin(slope, {0, 1, 0}, {0.075, 0.1, 7}, "1/8 of the normal away", 2 * unit_roundoff);
-    INFO("its z, which the normal does not change");
-    CHECK(offset_origin(slope, {0, 1, 0}).z == 7);
 }
 
 TEST_CASE("a surface that is known exactly needs no offset", "[06.1]") {
@@ -140,6 +139,19 @@ void check_range(const ShadowRay& shadow, Real distance) {
 
 }  // namespace
 
+TEST_CASE("by hand: the ray starts at (0, 1, 0), so the lamp at (3, 5, 0) is 5 away along (0.6, 0.8, 0)",
+          "[06.2]") {
+    // 3 to the side and 4 up from the offset origin, which is 1 above the point.
+    const Surface floor = surface_with({0, 0, 0}, Vec3(1), {0, 1, 0});
+    const Vec3 to_lamp(3, 5, 0);
+    const ShadowRay shadow =
+        shadow_ray(floor, {.direction = normalize(to_lamp), .distance = length(to_lamp)});
+    INFO("from a " << floor << ": " << shadow);
+    INFO("the direction from where the ray starts, (0, 1, 0), to the lamp at (3, 5, 0), and the distance");
+    CHECK(near_direction(shadow.ray.direction, {0.6, 0.8, 0}, 8 * unit_roundoff));
+    CHECK(near(shadow.range.max, 5, 5 * gamma(24)));
+}
+
 TEST_CASE("a shadow ray goes from the point to the lamp, and ends just before it", "[06.2]") {
     const Surface floor = surface_with({3, 0, 0}, Vec3(0), {0, 1, 0});
     const ShadowRay shadow = shadow_ray(floor, {.direction = {-0.6, 0.8, 0}, .distance = 5});
@@ -163,18 +175,6 @@ TEST_CASE("what the offset has gained is not walked again", "[06.2]") {
     const ShadowRay shadow = shadow_ray(floor, {.direction = {0, 1, 0}, .distance = 5});
     INFO("from a " << floor << ": " << shadow);
     check_range(shadow, 4.75);
-}
-
-TEST_CASE("the ray is aimed at the lamp from where it starts", "[06.2]") {
-    // 3 to the side and 4 up from the offset origin, which is 1 above the point.
-    const Surface floor = surface_with({0, 0, 0}, Vec3(1), {0, 1, 0});
-    const Vec3 to_lamp(3, 5, 0);
-    const ShadowRay shadow =
-        shadow_ray(floor, {.direction = normalize(to_lamp), .distance = length(to_lamp)});
-    INFO("from a " << floor << ": " << shadow);
-    INFO("the direction from where the ray starts, (0, 1, 0), to the lamp at (3, 5, 0), and the distance");
-    CHECK(near_direction(shadow.ray.direction, {0.6, 0.8, 0}, 8 * unit_roundoff));
-    CHECK(near(shadow.range.max, 5, 5 * gamma(24)));
 }
 
 TEST_CASE("a lamp behind the surface is asked from behind", "[06.2]") {

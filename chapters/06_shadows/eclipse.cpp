@@ -1,0 +1,19 @@
+// How much of a round lamp a round thing hides: shadows with soft edges, without more rays.
+// The lesson uses the same letters: a and b for the radii, d for the distance, α and β for half the angles.
+#include "chapters/06_shadows/eclipse.hpp"
+
+#include "common/math/todo.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+
+Real eclipsed(Real sun, Real moon, Real apart) {
+    // 06.5  Which part of the sun's disc the moon's disc covers: none where they are beside each
+    // other, all or the moon's share where one lies within the other, and else the lens that they have in
+    // common, divided by the area of the sun.
+    return todo("06.5");
+}
+
+}  // namespace rt
