@@ -13,7 +13,7 @@ namespace rt {
 /// greater than the radius. Separable, a product f(x)·f(y) with r the radius:
 ///   Box       f(x) = 1
 ///   Tent      f(x) = 1 − |x|/r
-///   Gaussian  f(x) = e^(−x²/(2s²)) − e^(−r²/(2s²)), s = r/3: a bell, lowered to reach 0 at r
+///   Gaussian  f(x) = e^(−x²/(2σ²)) − e^(−r²/(2σ²)), σ = r/3: a bell, lowered to reach 0 at r
 ///   Mitchell  the cubic of Mitchell & Netravali 1988 with B = C = 1/3, stretched to end at r; negative from
 ///             4r/7 on
 Real filter_weight(const Filter& filter, const Vec2& offset);

@@ -63,8 +63,17 @@ PoissonDisk poisson_disk_samples(int count, Random random);
 /// The same as POV-Ray's antialiasing method 2 without its threshold.
 std::vector<PixelSample> trapezoid_samples(int count);
 
-/// [08.5] n × n regular samples, then one in the middle, all of equal weight: the greatest n ≥ 1 with n² + 1
+/// [08.5] m × m regular samples, then one in the middle, all of equal weight: the greatest m ≥ 1 with m² + 1
 /// ≤ max(count, 2). The same as POV-Ray's antialiasing method 1 without its threshold.
 std::vector<PixelSample> centered_samples(int count);
+
+/// [08.12] Optional. The digits of index ≥ 0 in this base ≥ 2, mirrored at the point: 6 is 110 in base 2 and
+/// becomes 0.011, which is 3/8. In [0, 1), and right to a few roundings.
+Real radical_inverse(int index, int base);
+
+/// [08.12] Optional. The first `count` points of Halton's sequence, of equal weight: point i, from 0 on, is
+/// radical_inverse(i, 2) across and radical_inverse(i, 3) down. All are moved by the same random_point, on
+/// the torus.
+std::vector<PixelSample> halton_samples(int count, Random random);
 
 }  // namespace rt

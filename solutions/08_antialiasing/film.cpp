@@ -46,14 +46,14 @@ Real filter_weight(const Filter& filter, const Vec2& offset) {
     //   Box       1
     //   Tent      1 − t
     //   Gaussian  e^(−4.5 t²) − e^(−4.5)
-    //   Mitchell  (21 s³ − 36 s² + 16)/18 where s = 2t < 1, else (2 − s)²·(8 − 7s)/18
+    //   Mitchell  (21 z³ − 36 z² + 16)/18 where z = 2t < 1, else (2 − z)²·(8 − 7z)/18
     const auto along_axis = [&filter](Real x) -> Real {
         const Real t = std::abs(x) / filter.radius;
-        const Real s = 2 * t;
+        const Real z = 2 * t;
         if (filter.kind == FilterKind::Box) return 1;
         if (filter.kind == FilterKind::Tent) return 1 - t;
         if (filter.kind == FilterKind::Gaussian) return std::exp(-4.5 * t * t) - std::exp(-4.5);
-        return (s < 1 ? (21 * s - 36) * s * s + 16 : (2 - s) * (2 - s) * (8 - 7 * s)) / 18;
+        return (z < 1 ? (21 * z - 36) * z * z + 16 : (2 - z) * (2 - z) * (8 - 7 * z)) / 18;
     };
     if (std::abs(offset.x) > filter.radius || std::abs(offset.y) > filter.radius) return 0;
     return along_axis(offset.x) * along_axis(offset.y);

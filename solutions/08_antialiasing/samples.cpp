@@ -100,12 +100,12 @@ std::vector<PixelSample> trapezoid_samples(int count) {
 }
 
 std::vector<PixelSample> centered_samples(int count) {
-    // [exercise 08.5] The n² regular samples and then one at (½, ½), all of equal weight, with n =
+    // [exercise 08.5] The m² regular samples and then one at (½, ½), all of equal weight, with m =
     // whole_root(max(count, 2) − 1).
-    const int n = whole_root(std::max(count, 2) - 1);
-    std::vector<PixelSample> samples = regular_samples(n * n);
+    const int m = whole_root(std::max(count, 2) - 1);
+    std::vector<PixelSample> samples = regular_samples(m * m);
     samples.push_back({Vec2(0.5), 0});
-    for (PixelSample& sample : samples) sample.weight = Real(1) / (n * n + 1);
+    for (PixelSample& sample : samples) sample.weight = Real(1) / (m * m + 1);
     return samples;
     // [/exercise]
 }

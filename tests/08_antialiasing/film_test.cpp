@@ -116,7 +116,7 @@ TEST_CASE("the tent falls evenly to its end", "[08.6]") {
 }
 
 TEST_CASE("the Gaussian is a bell that reaches 0 at its end", "[08.6]") {
-    // e^-4.5 = 0.0111090 and e^-0.5 = 0.6065307; s is a third of the radius.
+    // e^-4.5 = 0.0111090 and e^-0.5 = 0.6065307; σ is a third of the radius.
     const Real top = 0.9888910034617577, at_s = 0.5954216631743912;
     check_weight(gaussian, {0, 0}, top * top, 8 * u);
     check_weight(gaussian, {0.5, 0}, at_s * top, 8 * u);
