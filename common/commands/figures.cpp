@@ -4,10 +4,12 @@
 #include "common/evidence/side_by_side.hpp"
 #include "common/image/file.hpp"
 #include "common/image/whole_file.hpp"
+#include "common/terminal/base64.hpp"
 #include "common/terminal/process.hpp"
 #include "common/workbook/catalogue.hpp"
 #include "common/workbook/check.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace rt {
@@ -53,9 +55,34 @@ fs::path draw_figures(const Project& project, const Chapter& chapter) {
     return drawn;
 }
 
+/// A drawing without the pictures in it, and their pixels.
+struct Unpacked {
+    std::string text;
+    std::vector<Vec3> pixels;
+    friend bool operator==(const Unpacked&, const Unpacked&) = default;
+};
+
+Unpacked unpacked(const fs::path& drawing) {
+    const std::string svg = read_file(drawing), mark = "data:image/png;base64,";
+    Unpacked parts;
+    std::size_t from = 0;
+    for (auto at = svg.find(mark); at != std::string::npos; at = svg.find(mark, from)) {
+        const std::size_t begin = at + mark.size(), end = std::min(svg.find('"', begin), svg.size());
+        const auto bytes = from_base64(std::string_view(svg).substr(begin, end - begin));
+        if (!bytes) return {svg, {}};
+        const Image image = decode_picture(fs::path(drawing) += ".png", *bytes, Encoding::Linear).image;
+        parts.text += svg.substr(from, begin - from);
+        parts.pixels.insert(parts.pixels.end(), image.pixels.begin(), image.pixels.end());
+        from = end;
+    }
+    parts.text += svg.substr(from);
+    return parts;
+}
+
 /// Whether a figure is what it was: pictures by their pixels, however they are packed, other files by their
 /// bytes.
 bool is_same_figure(const fs::path& a, const fs::path& b) {
+    if (a.extension() == ".svg") return unpacked(a) == unpacked(b);
     if (a.extension() != ".png") return read_file(a) == read_file(b);
     const Picture one = read_picture(a, Encoding::Linear), other = read_picture(b, Encoding::Linear);
     return one.eight_bits == other.eight_bits && one.image.width == other.image.width &&

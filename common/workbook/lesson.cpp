@@ -80,7 +80,14 @@ std::vector<std::string> piece(const Quotation& mark, const std::vector<std::str
                        "; expected one");
     const auto from = std::find_if(lines.begin(), lines.end(), has(mark.first));
     if (mark.last.empty()) return {*from};
-    const auto to = std::find_if(from + 1, lines.end(), has(mark.last));
+    // A brace is one on a line of its own, not that of `Vec3 point{0};`.
+    const bool is_brace = mark.last == "}" || mark.last == "};";
+    const auto ends = [&](const std::string& line) {
+        return is_brace ? line.ends_with(mark.last) &&
+                              line.find_first_not_of(' ') == line.size() - mark.last.size()
+                        : has(mark.last)(line);
+    };
+    const auto to = std::find_if(from + 1, lines.end(), ends);
     if (to == lines.end())
         fail(mark, "no line after '" + mark.first + "' has '" + mark.last + "' in " + mark.from);
     return {from, to + 1};

@@ -267,11 +267,14 @@ TEST_CASE("code in a lesson is written from its source, without what it is inden
     CHECK(woven(range) == shown(range, "int b;\n\nint c;\n"));
     CHECK(woven(one) == shown(one, "int c;\n"));
     CHECK(woven(mistake) == shown(mistake, "return 1;\n"));
+    test::write(project.root / "b.hpp", "struct B {\n    int c{};\n};\n");
+    const std::string whole = "<!-- code b.hpp \"struct B\" to \"};\" -->";
+    CHECK(woven(whole) == shown(whole, "struct B {\n    int c{};\n};\n"));
     CHECK_THROWS_WITH(woven("<!-- code a.hpp \"int d\" -->"),
                       "p.md:2: 'int d' stands on 0 lines of a.hpp; expected one");
     CHECK_THROWS_WITH(woven("<!-- code a.hpp \"int\" -->"),
                       "p.md:2: 'int' stands on 2 lines of a.hpp; expected one");
-    CHECK_THROWS_WITH(woven("<!-- code b.hpp \"int\" -->"), "p.md:2: there is no b.hpp");
+    CHECK_THROWS_WITH(woven("<!-- code c.hpp \"int\" -->"), "p.md:2: there is no c.hpp");
     CHECK_THROWS_WITH(woven("<!-- mistake 02.9_x -->"), "p.md:2: there is no mistake 02.9_x");
     CHECK_THROWS_WITH(woven_lesson("<!-- code a.hpp \"int c\" -->\ntext\n", "p.md", project.root),
                       "p.md:1: expected a block of code below the mark");
