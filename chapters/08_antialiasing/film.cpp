@@ -44,7 +44,7 @@ Real filter_weight(const Filter& filter, const Vec2& offset) {
     //   Box       1
     //   Tent      1 − t
     //   Gaussian  e^(−4.5 t²) − e^(−4.5)
-    //   Mitchell  (21 s³ − 36 s² + 16)/18 where s = 2t < 1, else (2 − s)²·(8 − 7s)/18
+    //   Mitchell  (21 z³ − 36 z² + 16)/18 where z = 2t < 1, else (2 − z)²·(8 − 7z)/18
     return todo("08.6");
 }
 

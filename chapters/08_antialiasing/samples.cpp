@@ -57,7 +57,7 @@ std::vector<PixelSample> trapezoid_samples(int count) {
 }
 
 std::vector<PixelSample> centered_samples(int count) {
-    // 08.5  The n² regular samples and then one at (½, ½), all of equal weight, with n =
+    // 08.5  The m² regular samples and then one at (½, ½), all of equal weight, with m =
     // whole_root(max(count, 2) − 1).
     return todo("08.5");
 }

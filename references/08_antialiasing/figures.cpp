@@ -203,7 +203,7 @@ void draw_edge(const Path& directory) {
              heading);
         text(svg, corner + Vec2(side / 2, side + 27),
              fmt::format("{} of {} above: {:.3f}; exact: {:.3f}", sum, n, sum / n, coverage(edge)),
-             middle(SvgFont{.size = 15}));
+             middle(SvgFont{.size = 17}));
     }
     write_svg(directory / "edge.svg", svg);
 }
@@ -431,6 +431,13 @@ Question edge_question(std::uint64_t which) {
     return {[=](const Vec2& p) { return value(edge, p); }, coverage(edge)};
 }
 
+/// An upright edge at a random place, such as those of a fence.
+Question upright_question(std::uint64_t which) {
+    Random random = random_for(8, which, 12);
+    const HalfPlane edge{{1, 0}, random_real(random)};
+    return {[=](const Vec2& p) { return value(edge, p); }, coverage(edge)};
+}
+
 /// A wave of half a cycle a pixel in a random direction, with a random phase.
 Question smooth_question(std::uint64_t which) {
     Random random = random_for(8, which, 5);
@@ -474,17 +481,18 @@ void draw_error(const Path& directory) {
         Question (*question)(std::uint64_t);
         Axis error;
     };
-    const std::array<Panel, 2> panels{{{"an edge", "edge", edge_question, {1e-4, 1, true}},
+    const std::array<Panel, 3> panels{{{"an edge", "edge", edge_question, {1e-4, 1, true}},
+                                       {"an upright edge", "upright", upright_question, {1e-4, 1, true}},
                                        {"a smooth wave", "wave", smooth_question, {1e-6, 1, true}}}};
     std::string csv = "function and method,4,16,64,256,1024,4096\n",
                 slopes = "function and method,slope,standard error\n";
-    Svg svg{.width = 700, .height = 430};
+    Svg svg{.width = 940, .height = 440};
     for (std::size_t p = 0; p < panels.size(); ++p) {
         const Panel& panel = panels[p];
-        const Plot plot{{60 + 350 * static_cast<Real>(p), 40}, {270, 330}, {3, 5500, true}, panel.error};
+        const Plot plot{{66 + 306 * static_cast<Real>(p), 40}, {240, 340}, {3, 5500, true}, panel.error};
         draw_axes(svg, plot, {{4, "4"}, {16, "16"}, {64, "64"}, {256, "256"}, {1024, "1024"}, {4096, "4096"}},
-                  p == 0 ? decades(-4, 0) : decades(-6, 0));
-        text(svg, plot.corner + Vec2(135, -14), panel.title, heading);
+                  p < 2 ? decades(-4, 0) : decades(-6, 0));
+        text(svg, plot.corner + Vec2(120, -14), panel.title, heading);
         for (std::size_t m = 0; m < methods.size(); ++m) {
             const Method& method = methods[m];
             std::vector<Vec2> points, places;
@@ -510,10 +518,10 @@ void draw_error(const Path& directory) {
             if (m + 1 == methods.size()) continue;  // an answer, which the figure does not give away
             polyline(svg, places, {.stroke = method.color, .width = 2});
             for (const Vec2& place : places) dot_at(svg, place, method.color);
-            text(svg, plot.place(3.6, panel.error.low) + Vec2(0, -14 - 18 * static_cast<Real>(m)),
-                 fmt::format("{}: −{:.2f}", method.name, -slope.value), colored(small, method.color));
+            text(svg, plot.place(3.3, panel.error.low) + Vec2(0, -10 - 19 * static_cast<Real>(m)),
+                 fmt::format("{}: −{:.2f}", method.name, -slope.value), colored({.size = 15}, method.color));
         }
-        text(svg, plot.corner + Vec2(135, 378), "samples a pixel", middle(small));
+        text(svg, plot.corner + Vec2(120, 388), "samples a pixel", middle(small));
     }
     text(svg, {16, 205}, "RMS error", {.size = 13, .anchor = "middle", .turn = -90});
     write_svg(directory / "error.svg", svg);
@@ -703,23 +711,31 @@ void draw_mistakes(const Path& directory) {
     const Filter bell{FilterKind::Gaussian, 1.5};
     const Maker& right = jittered.samples;
     const auto same_everywhere = [&](int n, std::uint64_t) { return right(n, 7); };
-    std::vector<FilmSample> encoded = samples_of(star, size, size, right, 16);
+    const Scenery dim = [](const Vec2& p) { return 0.55 * star(p); };
+    std::vector<FilmSample> encoded = samples_of(dim, size, size, right, 16);
     for (FilmSample& sample : encoded)
         for (int i = 0; i < 3; ++i) sample.color[i] = encode(sample.color[i], Encoding::Srgb);
     Image by_encoded = filtered(encoded, size, size, {});
     for (Vec3& p : by_encoded.pixels)
         for (int i = 0; i < 3; ++i) p[i] = decode(p[i], Encoding::Srgb);
     const std::vector<FilmPixel> film =
-        film_of(samples_of(star, size, size, right, 16), bell, {0, 0, size, size});
+        film_of(samples_of(dim, size, size, right, 16), bell, {0, 0, size, size});
     Image not_divided = make_image(size, size);
     for (std::size_t i = 0; i < film.size(); ++i) not_divided.pixels[i] = film[i].sum;
-    const Panel good{picture(star, size, size, right, 16, bell), "right"};
+    const Panel good{picture(dim, size, size, right, 16, bell), "right"};
     write_svg(directory / "film_mistakes.svg",
               side_by_side({good, {not_divided, "not divided"}, {by_encoded, "bytes added up"}}, 3, 2));
-    write_svg(directory / "same_numbers.svg",
-              side_by_side({{picture(star, size, size, right, 4), "right"},
-                            {picture(star, size, size, same_everywhere, 4), "the same in all pixels"}},
-                           2, 2.5));
+    const auto upper_left = [](const Image& whole) {
+        Image part = make_image(52, 52);
+        for (int y = 0; y < part.height; ++y)
+            for (int x = 0; x < part.width; ++x) pixel(part, x, y) = pixel(whole, x + 4, y + 2);
+        return part;
+    };
+    write_svg(
+        directory / "same_numbers.svg",
+        side_by_side({{upper_left(picture(star, size, size, right, 4)), "right"},
+                      {upper_left(picture(star, size, size, same_everywhere, 4)), "the same in all pixels"}},
+                     2, 5));
     note_number("the light of a mean of the bytes of black and white",
                 fmt::format("{:.3f}", decode(0.5, Encoding::Srgb)));
 }

@@ -76,7 +76,7 @@ Random with_greatest(std::uint64_t which) {
 
 // 08.1 ---------------------------------------------------------------------------------------------------
 
-TEST_CASE("a pixel's colour is the weighted mean over its samples", "[08.1]") {
+TEST_CASE("a pixel of two samples is their weighted mean", "[08.1]") {
     const World world = plain_world(8, 6);
     const PixelSample two[2] = {{{0.25, 0.5}, 0.75}, {{0.75, 0.25}, 0.25}};
     // 3/4 of (5.25, 2.5) and 1/4 of (5.75, 2.25).
