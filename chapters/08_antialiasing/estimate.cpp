@@ -14,18 +14,15 @@
 namespace rt {
 
 Estimate estimate(std::span<const Vec3> values) {
-    // 08.7  Fewer than two values say nothing of the error: return their mean (black for none) and
-    // the standard error ∞. Else m is the sum divided by n. In a second pass, with d = value − m, sum up d
-    // and d·d, each channel for itself. On paper Σd is 0. In floating point Σd/n is the rounding error of m:
-    // add it to m, and take it out of the squares: s² = (Σd² − (Σd)²/n)/(n − 1), never below 0. The standard
-    // error is √(s²/n).
-    return todo("08.7");
+    // 08.9  The mean of the n values, and its standard error √(s²/n) with the unbiased variance s²,
+    // each channel for itself. Fewer than two values say nothing of their error: it is ∞, and the mean of no
+    // values is black. Nothing may cancel where the values are nearly equal: find s² in a second pass, from
+    // d = value − mean, and let Σd/n correct the mean, as the lesson says.
+    return todo("08.9");
 }
 
-std::vector<int> sample_counts(std::span<const Real> deviations, long long total) {
-    const std::size_t pixels = deviations.size();
-    std::vector<int> counts(pixels, 1);
-    if (deviations.empty() || total <= static_cast<long long>(pixels)) return counts;
+std::vector<Real> sample_shares(std::span<const Real> deviations, long long total) {
+    if (deviations.empty()) return {};
     // Relative to the greatest, no deviation is too large or too small to compute with; this is also right
     // where all of them are 0, and where some are ∞.
     const Real greatest = *std::max_element(deviations.begin(), deviations.end());
@@ -33,13 +30,23 @@ std::vector<int> sample_counts(std::span<const Real> deviations, long long total
     for (const Real deviation : deviations) {
         weights.push_back(deviation == greatest ? 1 : deviation / greatest);
     }
-    // 08.8  Each pixel is to get its share weights[i]·left/sum, where `left` are the samples to
-    // share and `sum` is the sum of the weights. A pixel whose share is less than 1 gets one sample all the
-    // same: set its weight to 0. That leaves less for the others, so find `left` (total, less one for each
-    // weight that is 0) and `sum` anew, until no share is less than 1. The whole parts of the shares are the
-    // counts. Of the samples that remain, give one each to the pixels whose shares have the greatest
-    // fractional parts, the first of equal ones.
-    return todo("08.8");
+    // 08.10  The shares of the pixels are in proportion to their `weights` and sum to `total`, but
+    // none is below 1. So a pixel whose share would be less gets 1, and the others share what is then left.
+    // That makes their shares smaller: see whether one of them is now below 1.
+    return todo("08.10");
+}
+
+std::vector<int> whole_counts(std::span<const Real> shares, long long total) {
+    // 08.11  Give each pixel the whole part of its share. Of the samples that then remain of
+    // `total`, give one each to the pixels whose shares have the greatest fractional parts, the first of
+    // equal ones.
+    return todo("08.11");
+}
+
+std::vector<int> sample_counts(std::span<const Real> deviations, long long total) {
+    // Of fewer samples than pixels each pixel gets one all the same.
+    if (total <= static_cast<long long>(deviations.size())) return std::vector<int>(deviations.size(), 1);
+    return whole_counts(sample_shares(deviations, total), total);
 }
 
 }  // namespace rt

@@ -3,7 +3,8 @@
 
 #include "common/math/todo.hpp"
 
-#include <algorithm>
+#include <glm/common.hpp>
+
 #include <cmath>
 
 namespace rt {
@@ -16,11 +17,9 @@ struct Sum {
 };
 
 [[maybe_unused]] Sum plus(const Sum& before, Real term) {
-    // 08.6  Add the term to before.sum. What did rounding take away? Of the two numbers that were
-    // added, the greater (by its absolute value) lost nothing: subtract the new sum from it and what comes
-    // out, exactly, is minus the part of the smaller that arrived. Add the smaller, and you have the part
-    // that did not. It is added to `lost` (Neumaier 1974).
-    return todo("08.6");
+    // 08.7  Return the sum of before.sum and the term as rounding leaves it, and in `lost` all that
+    // was lost so far: before.lost, and what the rounding of this sum took away, exactly (Neumaier 1974).
+    return todo("08.7");
 }
 
 /// `pixel` with a sum of colours and a sum of weights added.
@@ -40,13 +39,13 @@ struct Sum {
 }  // namespace
 
 Real filter_weight(const Filter& filter, const Vec2& offset) {
-    // 08.5  Return 0 if |offset.x| or |offset.y| is greater than the radius, else f(x)·f(y). With
+    // 08.6  Return 0 if |offset.x| or |offset.y| is greater than the radius, else f(x)·f(y). With
     // t = |x|/r, from 0 to 1, the four kinds of f are
     //   Box       1
     //   Tent      1 − t
     //   Gaussian  e^(−4.5 t²) − e^(−4.5)
-    //   Mitchell  (21 s³ − 36 s² + 16)/18 where s = 2t < 1, else (2 − s)²·(8 − 7s)/18
-    return todo("08.5");
+    //   Mitchell  (21 z³ − 36 z² + 16)/18 where z = 2t < 1, else (2 − z)²·(8 − 7z)/18
+    return todo("08.6");
 }
 
 FilmPixel add(const FilmPixel& pixel, const Vec3& color, Real weight) {
@@ -55,9 +54,8 @@ FilmPixel add(const FilmPixel& pixel, const Vec3& color, Real weight) {
 }
 
 Vec3 color_of(const FilmPixel& pixel) {
-    // 08.6  What rounding took away comes back here: (sum + lost)/(weight + lost_weight). Where no
-    // sample arrived that weight is 0, and the colour black.
-    return todo("08.6");
+    // 08.7  The weighted mean, from the sums with what they lost. Black if the weights sum to 0.
+    return todo("08.7");
 }
 
 FilmPixel merge(const FilmPixel& a, const FilmPixel& b) {
@@ -67,12 +65,17 @@ FilmPixel merge(const FilmPixel& a, const FilmPixel& b) {
     return both;
 }
 
+Tile pixels_reached(const Vec2& at, const Filter& filter, const Tile& area) {
+    // 08.8  Which pixels (x, y) of `area` have their centre (x + ½, y + ½) at most the radius away
+    // from `at`, along x and along y? Return them as a Tile, whose x1 and y1 are one more than the last
+    // column and row. Where a tile begins at its end, there are none.
+    return todo("08.8");
+}
+
 std::vector<FilmPixel> film_of(std::span<const FilmSample> samples, const Filter& filter, const Tile& area) {
-    // 08.6  One FilmPixel for each pixel of `area`, row by row. The centre of the pixel (x, y) is
-    // (x + ½, y + ½), and the filter reaches `radius` to each side: so a sample reaches the columns from
-    // ceil(at.x − radius − ½) to floor(at.x + radius − ½), and the rows likewise; those outside the area do
-    // not count. `add` it to each of these pixels, with weight sample.weight · filter_weight(at − centre).
-    return todo("08.6");
+    // 08.8  One FilmPixel for each pixel of `area`, row by row; none if the area is empty. `add`
+    // each sample to all the pixels that it reaches, with weight sample.weight · filter_weight(at − centre).
+    return todo("08.8");
 }
 
 }  // namespace rt

@@ -55,13 +55,11 @@ Real torus_distance(const Vec2& a, const Vec2& b) {
 }
 
 PoissonDisk poisson_disk_samples(int count, Random random) {
-    // 08.3  A single sample may lie anywhere: return one random_point and the distance ∞. For more,
-    // begin with the distance 0.7 √(2/(√3·count)) and throw darts by random_point(random) until there are
-    // `count` samples. A dart nearer than the distance to a sample, by torus_distance, is refused; each
-    // other one is a sample of weight 1/count. When 32·count darts in a row were refused, multiply the
-    // distance by 0.95, and count anew. With `board_for`, `has_near` and `insert` above a dart need not be
-    // compared with all samples.
-    return todo("08.3");
+    // 08.4  Throw darts, by random_point(random), until `count` of them stick. A dart sticks if no
+    // sample is nearer than the distance, by torus_distance. The contract says with what distance to begin,
+    // and when it shrinks. A single sample may lie anywhere, at the distance ∞. With `board_for`, `has_near`
+    // and `insert` above, a dart need not be compared with all samples.
+    return todo("08.4");
 }
 
 }  // namespace rt

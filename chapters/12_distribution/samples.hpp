@@ -23,7 +23,7 @@ namespace rt {
 /// (Black & Rogaway 2002, Kensler 2013).
 std::uint32_t permuted(std::uint32_t index, std::uint32_t count, std::uint64_t key);
 
-/// The part of the unit square that is number `index` of strata(count) (08.1), to the bit, without the
+/// The part of the unit square that is number `index` of strata(count) (08.2), to the bit, without the
 /// others. Given.
 Stratum stratum(std::uint32_t index, std::uint32_t count);
 

@@ -177,6 +177,9 @@ std::vector<DrawnPixel> poisson(const Drawing& drawing) {
 }
 std::vector<DrawnPixel> trapezoid(const Drawing& drawing) { return dots(drawing, trapezoid_samples(16)); }
 std::vector<DrawnPixel> centered(const Drawing& drawing) { return dots(drawing, centered_samples(17)); }
+std::vector<DrawnPixel> halton(const Drawing& drawing) {
+    return dots(drawing, halton_samples(16, random_for(1, 0, 0)));
+}
 
 // ------------------------------------------------------------------------------------------------- chapter 9
 
@@ -386,6 +389,7 @@ constexpr Drawing drawings[] = {
     {"poisson", 65, 65, poisson},
     {"trapezoid", 65, 65, trapezoid},
     {"centered", 65, 65, centered},
+    {"halton", 65, 65, halton},
     {"way", 12 * cell_pixels + 1, 9 * cell_pixels + 1, way},
     {"cells_of_triangle", 12 * cell_pixels + 1, 9 * cell_pixels + 1, cells_of_triangle},
     {"cells_of_sphere", 12 * cell_pixels + 1, 9 * cell_pixels + 1, cells_of_sphere},

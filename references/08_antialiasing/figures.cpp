@@ -6,6 +6,7 @@
 #include "chapters/08_antialiasing/samples.hpp"
 #include "common/math/stopwatch.hpp"
 #include "common/render/integrators.hpp"
+#include "references/panels.hpp"
 #include "tests/stability/coverage.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,15 @@ using namespace rt::figures;
 using rt::test::HalfPlane;
 
 namespace {
+
+/// Numbers in the lesson's prose, each with the name by which the lesson asks for it.
+std::string& numbers() {
+    static std::string csv = "name,value\n";
+    return csv;
+}
+void note_number(const std::string& name, const std::string& value) {
+    numbers() += name + "," + value + "\n";
+}
 
 using Pattern = std::vector<PixelSample>;
 
@@ -53,35 +63,96 @@ const Method independent{"random", red,
 const Method jittered{"jittered", green,
                       [](int n, std::uint64_t use) { return jittered_samples(n, random_for(8, use, 3)); }};
 const Method poisson_disk{"Poisson disk", orange, poisson, 1024};
+const Method halton{"Halton", purple,
+                    [](int n, std::uint64_t use) { return halton_samples(n, random_for(8, use, 10)); }};
+
+/// n = k² jittered samples, one in each of k × k squares, and at the same time one in each of n columns and
+/// in each of n rows (Chiu, Shirley and Wang 1994): in the columns of the squares the same n rows are dealt
+/// out at random.
+Pattern multi_jittered_samples(int n, Random random) {
+    const int k = static_cast<int>(std::lround(std::sqrt(n)));
+    std::vector<int> row_of(static_cast<std::size_t>(n)), column_of(static_cast<std::size_t>(n));
+    const auto deal = [&](std::vector<int>& order) {
+        for (int i = 0; i < k; ++i) {
+            const auto first = order.begin() + i * k;
+            std::iota(first, first + k, 0);
+            for (int j = k - 1; j > 0; --j)
+                std::iter_swap(first + j, first + static_cast<int>(random_index(
+                                                      random, static_cast<std::uint64_t>(j) + 1)));
+        }
+    };
+    deal(column_of);
+    deal(row_of);
+    Pattern samples;
+    for (int y = 0; y < k; ++y)
+        for (int x = 0; x < k; ++x) {
+            const Vec2 cell(x * k + column_of[static_cast<std::size_t>(x * k + y)],
+                            y * k + row_of[static_cast<std::size_t>(y * k + x)]);
+            samples.push_back({(cell + random_point(random)) / Real(n), Real(1) / n});
+        }
+    return samples;
+}
+const Method multi_jittered{"multi-jittered", ink, [](int n, std::uint64_t use) {
+                                return multi_jittered_samples(n, random_for(8, use, 11));
+                            }};
 const Method trapezoid{"trapezoid", purple, [](int n, std::uint64_t) { return trapezoid_samples(n); }};
 const Method centered{"centred", ink, [](int n, std::uint64_t) { return centered_samples(n); }};
 
 // Patterns ----------------------------------------------------------------------------------------------
 
 void draw_patterns(const Path& directory) {
-    Svg svg{.width = 700, .height = 500};
-    const std::array<std::pair<Method, int>, 6> panels{{{regular, 16},
+    Svg svg{.width = 820, .height = 460};
+    const std::array<std::pair<Method, int>, 7> panels{{{regular, 16},
                                                         {independent, 16},
                                                         {jittered, 16},
                                                         {poisson_disk, 16},
+                                                        {halton, 16},
                                                         {trapezoid, 25},
                                                         {centered, 17}}};
-    const Real side = 190;
+    const Real side = 170;
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const auto& [method, count] = panels[i];
-        const Vec2 corner(25 + 230 * static_cast<Real>(i % 3), 36 + 240 * static_cast<Real>(i / 3));
-        text(svg, corner + Vec2(side / 2, -12), fmt::format("{}, {}", method.name, count), heading);
-        if (i == 0 || i == 2 || i == 5)
+        const Vec2 corner(25 + 200 * static_cast<Real>(i % 4) + (i < 4 ? 0 : 100),
+                          40 + 225 * static_cast<Real>(i / 4));
+        text(svg, corner + Vec2(side / 2, -13), fmt::format("{}, {}", method.name, count), heading);
+        if (i == 0 || i == 2 || i == 6)
             for (const Stratum& part : strata(16))
                 rectangle(svg, corner + side * part.low, side * (part.high - part.low),
                           {.stroke = "#c8c8c8", .width = 1});
         rectangle(svg, corner, {side, side});
         const Real even = Real(1) / count;
         for (const PixelSample& sample : method.samples(count, 5))
-            dot_at(svg, corner + side * sample.at, i == 5 ? ink : method.color,
-                   5 * std::sqrt(sample.weight / (i == 4 ? Real(1) / 16 : even)));
+            dot_at(svg, corner + side * sample.at, method.color,
+                   5 * std::sqrt(sample.weight / (i == 5 ? Real(1) / 16 : even)));
     }
     write_svg(directory / "patterns.svg", svg);
+}
+
+// Aliases -----------------------------------------------------------------------------------------------
+
+/// A wave of 0.9 cycles a pixel, and the one of 0.1 that has the same values in the pixels' centres.
+void draw_alias(const Path& directory) {
+    Svg svg{.width = 760, .height = 210};
+    constexpr int pixels = 20;
+    const Real left = 20, wide = 36, middle_line = 105, high = 55;
+    const auto place = [&](Real x, Real value) { return Vec2(left + wide * x, middle_line - high * value); };
+    for (int x = 0; x <= pixels; ++x)
+        line(svg, place(x, 1.25), place(x, -1.25), {.stroke = light, .width = 1.5});
+    const auto wave = [](Real cycles, Real x) { return std::cos(2 * pi * cycles * (x - 0.5)); };
+    const auto draw = [&](Real cycles, const SvgStyle& style) {
+        std::vector<Vec2> points;
+        for (int i = 0; i <= 40 * pixels; ++i) points.push_back(place(i / 40.0, wave(cycles, i / 40.0)));
+        polyline(svg, points, style);
+    };
+    draw(0.9, {.stroke = blue, .width = 1.5});
+    draw(0.1, {.stroke = red, .width = 2.5, .dash = "7 5"});
+    for (int x = 0; x < pixels; ++x) dot_at(svg, place(x + 0.5, wave(0.9, x + 0.5)), ink, 5);
+    text(svg, {left, 24}, "the wave, 0.9 cycles a pixel", colored({.size = 17, .bold = true}, blue));
+    text(svg, {left + wide * pixels, 24}, "its alias, 0.1 cycles a pixel",
+         anchored(colored({.size = 17, .bold = true}, red), "end"));
+    text(svg, {left + wide * pixels / 2, 198}, "pixels, with one sample in the middle of each",
+         middle(SvgFont{.size = 15}));
+    write_svg(directory / "alias.svg", svg);
 }
 
 // An edge in a pixel ------------------------------------------------------------------------------------
@@ -132,7 +203,7 @@ void draw_edge(const Path& directory) {
              heading);
         text(svg, corner + Vec2(side / 2, side + 27),
              fmt::format("{} of {} above: {:.3f}; exact: {:.3f}", sum, n, sum / n, coverage(edge)),
-             middle(SvgFont{.size = 15}));
+             middle(SvgFont{.size = 17}));
     }
     write_svg(directory / "edge.svg", svg);
 }
@@ -184,12 +255,19 @@ Image in_levels(Image image, int levels) {
 void draw_zone_plate(const Path& directory) {
     const int size = 110;
     const Scenery rings = zone_plate(size, 4.5);
-    std::vector<Image> images;
-    const std::pair<Method, int> panels[] = {{regular, 1},  {regular, 16},  {independent, 16},
-                                             {jittered, 1}, {jittered, 16}, {poisson_disk, 16}};
-    for (const auto& [method, count] : panels)
-        images.push_back(in_levels(picture(rings, size, size, method.samples, count), 8));
-    write_image(directory / "zone_plate.png", in_rows(images, 3));
+    struct One {
+        const char* words;
+        Method method;
+        int count;
+    };
+    const One ones[] = {{"1, in the middle", regular, 1}, {"16, regular", regular, 16},
+                        {"16, random", independent, 16},  {"1, random", jittered, 1},
+                        {"16, jittered", jittered, 16},   {"16, Poisson disk", poisson_disk, 16}};
+    std::vector<Panel> panels;
+    for (const One& one : ones)
+        panels.push_back(
+            {in_levels(picture(rings, size, size, one.method.samples, one.count), 8), one.words});
+    write_svg(directory / "zone_plate.svg", side_by_side(panels, 3, 2));
 }
 
 // Filters -----------------------------------------------------------------------------------------------
@@ -259,12 +337,12 @@ void draw_filters(const Path& directory) {
     text(svg, {540, 342}, "pixels from the edge", middle(small));
     write_svg(directory / "filters.svg", svg);
 
-    const int size = 112;
+    const int size = 90;
     const std::vector<FilmSample> samples = samples_of(zone_plate(size, 1), size, size, jittered.samples, 64);
-    std::vector<Image> images;
+    std::vector<Panel> panels;
     for (const NamedFilter& one : filters)
-        images.push_back(in_levels(filtered(samples, size, size, one.filter), 64));
-    write_image(directory / "filtered.png", in_rows(images, 4));
+        panels.push_back({in_levels(filtered(samples, size, size, one.filter), 64), one.name});
+    write_svg(directory / "filtered.svg", side_by_side(panels, 4, 2));
 }
 
 // Spectra -----------------------------------------------------------------------------------------------
@@ -294,30 +372,29 @@ std::vector<Real> spectrum(const Maker& method, int patterns) {
 }
 
 void draw_spectra(const Path& directory) {
-    constexpr int side = 2 * reach + 1, zoom = 4;
+    constexpr int side = 2 * reach + 1;
     const std::array<Method, 3> methods{independent, jittered, poisson_disk};
-    std::vector<Image> images;
+    const std::array<const char*, 3> names{"random", "jittered", "Poisson disk"};
+    std::vector<Panel> panels;
     std::array<std::vector<Real>, 3> curves;
     for (std::size_t m = 0; m < methods.size(); ++m) {
         const std::vector<Real> power = spectrum(methods[m].samples, 200);
-        Image image = make_image(side * zoom, side * zoom);
+        Image image = make_image(side, side);
         std::vector<Real> sum(reach + 1, 0), number(reach + 1, 0);
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 const bool middle_one = x == reach && y == reach;  // the mean, n: no news
                 const Real here = middle_one ? 0 : power[static_cast<std::size_t>(y * side + x)];
-                for (int j = 0; j < zoom; ++j)
-                    for (int i = 0; i < zoom; ++i)
-                        pixel(image, x * zoom + i, y * zoom + j) = Vec3(decode(here / 2.2, Encoding::Srgb));
+                pixel(image, x, y) = Vec3(decode(here / 2.2, Encoding::Srgb));
                 const auto ring = static_cast<std::size_t>(std::lround(std::hypot(x - reach, y - reach)));
                 if (middle_one || ring > reach) continue;
                 sum[ring] += here;
                 number[ring] += 1;
             }
         for (std::size_t k = 1; k <= reach; ++k) curves[m].push_back(sum[k] / number[k]);
-        images.push_back(in_levels(image, 24));
+        panels.push_back({in_levels(image, 24), names[m]});
     }
-    write_image(directory / "spectra.png", in_rows(images, 3));
+    write_svg(directory / "spectra_seen.svg", side_by_side(panels, 3, 4));
 
     std::string csv = "cycles a pixel,random,jittered,poisson disk\n";
     for (std::size_t k = 0; k < reach; ++k)
@@ -343,7 +420,7 @@ void draw_spectra(const Path& directory) {
 
 // Error against samples ---------------------------------------------------------------------------------
 
-/// What is to be averaged over the unit square, and its exact mean.
+/// What is averaged over the unit square, and its exact mean.
 struct Question {
     std::function<Real(const Vec2&)> function;
     Real mean;
@@ -351,6 +428,13 @@ struct Question {
 
 Question edge_question(std::uint64_t which) {
     const HalfPlane edge = random_edge(which);
+    return {[=](const Vec2& p) { return value(edge, p); }, coverage(edge)};
+}
+
+/// An upright edge at a random place, such as those of a fence.
+Question upright_question(std::uint64_t which) {
+    Random random = random_for(8, which, 12);
+    const HalfPlane edge{{1, 0}, random_real(random)};
     return {[=](const Vec2& p) { return value(edge, p); }, coverage(edge)};
 }
 
@@ -390,24 +474,25 @@ Slope slope_of(const std::vector<Vec2>& points) {
 
 void draw_error(const Path& directory) {
     const std::array<int, 6> counts{4, 16, 64, 256, 1024, 4096};
-    const std::array<Method, 4> methods{independent, poisson_disk, jittered, regular};
+    const std::array<Method, 6> methods{independent, poisson_disk, jittered, regular, halton, multi_jittered};
     struct Panel {
         const char* title;
         const char* name;
         Question (*question)(std::uint64_t);
         Axis error;
     };
-    const std::array<Panel, 2> panels{{{"an edge", "edge", edge_question, {1e-4, 1, true}},
+    const std::array<Panel, 3> panels{{{"an edge", "edge", edge_question, {1e-4, 1, true}},
+                                       {"an upright edge", "upright", upright_question, {1e-4, 1, true}},
                                        {"a smooth wave", "wave", smooth_question, {1e-6, 1, true}}}};
-    std::string csv = "function,method,samples,rms error\n",
-                slopes = "function,method,slope,standard error\n";
-    Svg svg{.width = 700, .height = 430};
+    std::string csv = "function and method,4,16,64,256,1024,4096\n",
+                slopes = "function and method,slope,standard error\n";
+    Svg svg{.width = 940, .height = 440};
     for (std::size_t p = 0; p < panels.size(); ++p) {
         const Panel& panel = panels[p];
-        const Plot plot{{60 + 350 * static_cast<Real>(p), 40}, {270, 330}, {3, 5500, true}, panel.error};
+        const Plot plot{{66 + 306 * static_cast<Real>(p), 40}, {240, 340}, {3, 5500, true}, panel.error};
         draw_axes(svg, plot, {{4, "4"}, {16, "16"}, {64, "64"}, {256, "256"}, {1024, "1024"}, {4096, "4096"}},
-                  p == 0 ? decades(-4, 0) : decades(-6, 0));
-        text(svg, plot.corner + Vec2(135, -14), panel.title, heading);
+                  p < 2 ? decades(-4, 0) : decades(-6, 0));
+        text(svg, plot.corner + Vec2(120, -14), panel.title, heading);
         for (std::size_t m = 0; m < methods.size(); ++m) {
             const Method& method = methods[m];
             std::vector<Vec2> points, places;
@@ -423,16 +508,20 @@ void draw_error(const Path& directory) {
                 }
                 points.emplace_back(n, std::sqrt(squares / static_cast<Real>(cases)));
                 places.push_back(plot.place(points.back().x, points.back().y));
-                csv += fmt::format("{},{},{},{:.3g}\n", panel.name, method.name, n, points.back().y);
             }
+            csv += fmt::format("{}: {}", panel.name, method.name);
+            for (const Vec2& point : points) csv += fmt::format(",{:.3g}", point.y);
+            csv += '\n';
             const Slope slope = slope_of(points);
-            slopes += fmt::format("{},{},{:.3f},{:.3f}\n", panel.name, method.name, slope.value, slope.error);
+            slopes +=
+                fmt::format("{}: {},{:.3f},{:.3f}\n", panel.name, method.name, slope.value, slope.error);
+            if (m + 1 == methods.size()) continue;  // an answer, which the figure does not give away
             polyline(svg, places, {.stroke = method.color, .width = 2});
             for (const Vec2& place : places) dot_at(svg, place, method.color);
-            text(svg, plot.place(3.6, panel.error.low) + Vec2(0, -14 - 18 * static_cast<Real>(m)),
-                 fmt::format("{}: −{:.2f}", method.name, -slope.value), colored(small, method.color));
+            text(svg, plot.place(3.3, panel.error.low) + Vec2(0, -10 - 19 * static_cast<Real>(m)),
+                 fmt::format("{}: −{:.2f}", method.name, -slope.value), colored({.size = 15}, method.color));
         }
-        text(svg, plot.corner + Vec2(135, 378), "samples a pixel", middle(small));
+        text(svg, plot.corner + Vec2(120, 388), "samples a pixel", middle(small));
     }
     text(svg, {16, 205}, "RMS error", {.size = 13, .anchor = "middle", .turn = -90});
     write_svg(directory / "error.svg", svg);
@@ -444,9 +533,14 @@ void draw_error(const Path& directory) {
 
 /// What s/√n of the samples of one pattern says of the error on edges, what replicates say, and the truth.
 void write_estimates(const Path& directory) {
-    std::string csv = "samples,method,rms error,by s/sqrt(n),by 8 replicates,s/sqrt(n) too large by\n";
-    for (const Method& method : {independent, jittered})
-        for (const int n : {4, 16, 64, 256}) {
+    std::string csv = "samples";
+    for (const char* name : {"random", "jittered"})
+        csv += fmt::format(
+            ",{0}: rms error,{0}: by s/sqrt(n),{0}: by 8 replicates,{0}: s/sqrt(n) too large by", name);
+    csv += '\n';
+    for (const int n : {4, 16, 64, 256}) {
+        csv += std::to_string(n);
+        for (const Method& method : {independent, jittered}) {
             const std::uint64_t cases = 4000, replicates = 8;
             Real truth = 0, naive = 0, by_replicates = 0;
             for (std::uint64_t i = 0; i < cases; ++i) {
@@ -469,9 +563,10 @@ void write_estimates(const Path& directory) {
             truth = std::sqrt(truth / (cases * replicates));
             naive = std::sqrt(naive / (cases * replicates));
             by_replicates = std::sqrt(by_replicates / cases);
-            csv += fmt::format("{},{},{:.4f},{:.4f},{:.4f},{:.2f}\n", n, method.name, truth, naive,
-                               by_replicates, naive / truth);
+            csv += fmt::format(",{:.4f},{:.4f},{:.4f},{:.2f}", truth, naive, by_replicates, naive / truth);
         }
+        csv += '\n';
+    }
     write_file(directory / "estimates.csv", csv);
 }
 
@@ -513,6 +608,9 @@ void draw_bias(const Path& directory) {
         dot_at(svg, plot.place(p, sum.y - p), blue, 4);
         csv += fmt::format("{:.2f},{:.4f},{:.4f},{:.4f}\n", p, 0.75 * p * q * (p * p * p - q * q * q),
                            sum.x - p, sum.y - p);
+        if (i == 4)
+            note_number("a pixel that is white to a fifth: its mean where the pilot is kept",
+                        fmt::format("{:.3f}", sum.x));
     }
     text(svg, {535, 70}, "the pilot's samples", colored(small, red));
     text(svg, {535, 87}, "are kept", colored(small, red));
@@ -554,6 +652,7 @@ void draw_sums(const Path& directory) {
         "samples,plain equal,plain random,neumaier equal,neumaier random,single precision plain equal\n";
     Real next = 10;
     std::array<Real, 4> worst{};
+    Real worst_kept = 0;
     for (long long n = 1; n <= 10'000'000; ++n) {
         const Real value = random_real(random);
         const auto count = static_cast<Real>(n);
@@ -568,6 +667,7 @@ void draw_sums(const Path& directory) {
             off(plain_equal / count, n, exact_equal), off(plain_random / count, n, exact_random),
             off(color_of(kept_equal).x, n, exact_equal), off(color_of(kept_random).x, n, exact_random)};
         for (std::size_t i = 0; i < 4; ++i) worst[i] = std::max(worst[i], now[i]);
+        worst_kept = std::max({worst_kept, now[2], now[3]});
         if (count < next) continue;
         csv += fmt::format("{},{:.3g},{:.3g},{:.3g},{:.3g},{:.3g}\n", n, worst[0], worst[1], worst[2],
                            worst[3], single / (count * constant) - 1);
@@ -578,6 +678,9 @@ void draw_sums(const Path& directory) {
         next *= std::pow(10, 0.25);
     }
     write_file(directory / "sums.csv", csv);
+    note_number("worst compensated mean in units of 2^-53 of it", fmt::format("{:.2f}", worst_kept));
+    note_number("single precision: equal samples are too bright by (percent)",
+                fmt::format("{:.2f}", 100 * (single / (1e7 * constant) - 1)));
 
     Svg svg{.width = 700, .height = 330};
     const Plot plot{{80, 30}, {430, 240}, {10, 1e7, true}, {0.1, 1e7, true}};
@@ -608,22 +711,33 @@ void draw_mistakes(const Path& directory) {
     const Filter bell{FilterKind::Gaussian, 1.5};
     const Maker& right = jittered.samples;
     const auto same_everywhere = [&](int n, std::uint64_t) { return right(n, 7); };
-    std::vector<FilmSample> encoded = samples_of(star, size, size, right, 16);
+    const Scenery dim = [](const Vec2& p) { return 0.55 * star(p); };
+    std::vector<FilmSample> encoded = samples_of(dim, size, size, right, 16);
     for (FilmSample& sample : encoded)
         for (int i = 0; i < 3; ++i) sample.color[i] = encode(sample.color[i], Encoding::Srgb);
     Image by_encoded = filtered(encoded, size, size, {});
     for (Vec3& p : by_encoded.pixels)
         for (int i = 0; i < 3; ++i) p[i] = decode(p[i], Encoding::Srgb);
-    // Divided by what the weights sum up to on average, and not by their own sum.
     const std::vector<FilmPixel> film =
-        film_of(samples_of(star, size, size, right, 16), bell, {0, 0, size, size});
-    Real usual = 0;
-    for (const FilmPixel& one : film) usual += one.weight / static_cast<Real>(film.size());
-    Image not_normalised = make_image(size, size);
-    for (std::size_t i = 0; i < film.size(); ++i) not_normalised.pixels[i] = film[i].sum / usual;
-    std::vector<Image> images{picture(star, size, size, right, 16, bell),
-                              picture(star, size, size, same_everywhere, 4), not_normalised, by_encoded};
-    write_image(directory / "mistakes.png", in_rows(images, 4));
+        film_of(samples_of(dim, size, size, right, 16), bell, {0, 0, size, size});
+    Image not_divided = make_image(size, size);
+    for (std::size_t i = 0; i < film.size(); ++i) not_divided.pixels[i] = film[i].sum;
+    const Panel good{picture(dim, size, size, right, 16, bell), "right"};
+    write_svg(directory / "film_mistakes.svg",
+              side_by_side({good, {not_divided, "not divided"}, {by_encoded, "bytes added up"}}, 3, 2));
+    const auto upper_left = [](const Image& whole) {
+        Image part = make_image(52, 52);
+        for (int y = 0; y < part.height; ++y)
+            for (int x = 0; x < part.width; ++x) pixel(part, x, y) = pixel(whole, x + 4, y + 2);
+        return part;
+    };
+    write_svg(
+        directory / "same_numbers.svg",
+        side_by_side({{upper_left(picture(star, size, size, right, 4)), "right"},
+                      {upper_left(picture(star, size, size, same_everywhere, 4)), "the same in all pixels"}},
+                     2, 5));
+    note_number("the light of a mean of the bytes of black and white",
+                fmt::format("{:.3f}", decode(0.5, Encoding::Srgb)));
 }
 
 Real rms_difference(const Image& image, const Image& truth) {
@@ -664,60 +778,125 @@ void draw_adaptive(const Path& directory) {
         uniform += rms_difference(image_of(count, false), truth) / 4;
         adaptive += rms_difference(image_of(count, true), truth) / 4;
     }
-    write_file(
-        directory / "adaptive.csv",
-        fmt::format("samples a pixel,pilot,least,pixels with the least,most,rms error uniform,adaptive\n"
-                    "{},{},{},{},{},{:.5f},{:.5f}\n",
-                    count, pilot, least, flat, most, uniform, adaptive));
+    write_file(directory / "adaptive.csv",
+               fmt::format("samples a pixel,pilot,least,percent of the pixels with the least,most,rms error "
+                           "uniform,adaptive\n"
+                           "{},{},{},{:.1f},{},{:.5f},{:.5f}\n",
+                           count, pilot, least, 100.0 * static_cast<Real>(flat) / (width * height), most,
+                           uniform, adaptive));
 }
 
-// Costs -------------------------------------------------------------------------------------------------
+// What half the error costs -----------------------------------------------------------------------------
 
-/// What making patterns costs, and a picture of 16 samples a pixel with them; how wrong it is.
-void measure_costs(const Path& directory) {
+/// How many samples a pixel a scene without filters or chance in its lights needs for two errors.
+void count_for_errors(const Path&) {
+    for (const Sampler sampler : {Sampler::Jittered, Sampler::Random}) {
+        Scene scene = scene_beside(__FILE__, "aliased", 80, 60);
+        scene.sampling.sampler = sampler;
+        const World world = compile(scene);
+        std::array<Real, 2> needed{};
+        const std::array<Real, 2> errors{0.01, 0.005};
+        for (std::size_t i = 0; i < 2; ++i) {
+            RenderOptions options;
+            options.error = errors[i];
+            needed[i] = render(world, options).samples_per_pixel;
+        }
+        const char* name = sampler == Sampler::Jittered ? "jittered" : "random";
+        note_number(fmt::format("{}: for an error of 0.01 samples a pixel", name),
+                    fmt::format("{:.0f}", needed[0]));
+        note_number(fmt::format("{}: for an error of 0.005 samples a pixel", name),
+                    fmt::format("{:.0f}", needed[1]));
+        note_number(fmt::format("{}: how many times the samples for half the error", name),
+                    fmt::format("{:.2f}", needed[1] / needed[0]));
+    }
+}
+
+// Errors and costs --------------------------------------------------------------------------------------
+
+struct Sampled {
+    const char* name;
+    Sampler sampler;
+    int count;
+    Method method;
+};
+const std::array<Sampled, 6> sampled{{{"random", Sampler::Random, 16, independent},
+                                      {"regular", Sampler::Regular, 16, regular},
+                                      {"Poisson disk", Sampler::Poisson, 16, poisson_disk},
+                                      {"jittered", Sampler::Jittered, 16, jittered},
+                                      {"trapezoid", Sampler::Trapezoid, 25, trapezoid},
+                                      {"centred", Sampler::Centered, 17, centered}}};
+
+/// The scene of the star with each of the patterns, at 160 × 120.
+Scene star_scene(Sampler sampler, int count) {
     Scene scene = scene_beside(__FILE__, "regular", 160, 120);
-    scene.sampling.count = 1024;
-    scene.sampling.sampler = Sampler::Jittered;
-    scene.sampling.seed = 2;
+    scene.sampling.count = count;
+    scene.sampling.sampler = sampler;
+    scene.sampling.seed = 1;
+    scene.accelerator = AcceleratorChoice::None;
+    return scene;
+}
+
+/// How wrong the scene is with each pattern: RMS over eight pictures of other seeds, which for patterns that
+/// are not random are all the same one.
+void write_picture_errors(const Path& directory) {
+    Scene many = star_scene(Sampler::Jittered, 2048);
+    many.sampling.seed = 100;
+    RenderOptions plain;
+    plain.estimate = false;
+    const Image truth = render(compile(many), plain).image;
+    std::string csv = "sampler,samples,rms error,its estimate\n";
+    for (const Sampled& one : sampled) {
+        Real squares = 0, estimated_squares = 0;
+        for (int seed = 1; seed <= 8; ++seed) {
+            Scene scene = star_scene(one.sampler, one.count);
+            scene.sampling.seed = static_cast<std::uint64_t>(seed);
+            const RenderResult result = render(compile(scene));
+            const Real error = rms_difference(result.image, truth), said = result.rms_error.value_or(0);
+            squares += error * error / 8;
+            estimated_squares += said * said / 8;
+        }
+        csv += fmt::format("{},{},{:.4f},{:.4f}\n", one.name, one.count, std::sqrt(squares),
+                           std::sqrt(estimated_squares));
+    }
+    write_file(directory / "picture_errors.csv", csv);
+}
+
+/// What making patterns costs, and what a sample of a picture with them costs in all: the least of several,
+/// because a busy machine only ever adds to it.
+void measure_costs(const Path& directory) {
+    std::array<double, sampled.size()> making{}, drawing{};
+    making.fill(1e30);
+    drawing.fill(1e30);
+    std::vector<World> worlds;
+    for (const Sampled& one : sampled) worlds.push_back(compile(star_scene(one.sampler, one.count)));
     RenderOptions plain;
     plain.threads = 1;
     plain.estimate = false;
-    const Image truth = render(compile(scene), plain).image;
-    const std::pair<const char*, Sampler> samplers[] = {
-        {"regular", Sampler::Regular},     {"random", Sampler::Random},
-        {"jittered", Sampler::Jittered},   {"Poisson disk", Sampler::Poisson},
-        {"trapezoid", Sampler::Trapezoid}, {"centred", Sampler::Centered}};
-    const Method makers[] = {regular, independent, jittered, poisson_disk, trapezoid, centered};
-    std::string csv =
-        "sampler,samples,ns a sample to make the pattern,ms of the picture,rms error,its estimate\n";
-    for (std::size_t i = 0; i < std::size(samplers); ++i) {
-        const int count = i == 4 ? 25 : i == 5 ? 17 : 16;
-        scene.sampling.count = count;
-        scene.sampling.sampler = samplers[i].second;
-        const World world = compile(scene);
-        std::array<double, 5> milliseconds{};
-        RenderResult result;
-        for (double& t : milliseconds) {
-            result = render(world, plain);
-            t = 1000 * result.cpu_seconds;
+    for (int round = 0; round < 15; ++round)
+        for (std::size_t i = 0; i < sampled.size(); ++i) {
+            const Sampled& one = sampled[i];
+            const double pixels = 160 * 120;
+            const double cpu = render(worlds[i], plain).cpu_seconds;
+            drawing[i] = std::min(drawing[i], 1e9 * cpu / (pixels * one.count));
+            std::size_t made = 0;
+            const Stopwatch watch;
+            const std::uint64_t patterns = one.sampler == Sampler::Poisson ? 200 : 5000;
+            for (std::uint64_t k = 0; k < patterns; ++k)
+                made += one.sampler == Sampler::Poisson
+                            ? poisson_disk_samples(one.count, random_for(8, k, 9)).samples.size()
+                            : one.method.samples(one.count, k).size();
+            making[i] = std::min(making[i], 1e9 * watch.seconds() / static_cast<double>(made));
         }
-        std::ranges::sort(milliseconds);
-        std::size_t made = 0;
-        const Stopwatch watch;
-        for (std::uint64_t k = 0; k < 20'000; ++k)
-            made += i == 3 ? poisson_disk_samples(count, random_for(8, k, 9)).samples.size()
-                           : makers[i].samples(count, k).size();
-        const double nanoseconds = 1e9 * watch.seconds() / static_cast<double>(made);
-        csv += fmt::format("{},{},{:.0f},{:.0f},{:.4f},{:.4f}\n", samplers[i].first, count, nanoseconds,
-                           milliseconds[2], rms_difference(result.image, truth),
-                           render(world).rms_error.value_or(0));
-    }
+    std::string csv = "sampler,samples,ns a sample to make the pattern,ns a sample of the picture in all\n";
+    for (std::size_t i = 0; i < sampled.size(); ++i)
+        csv += fmt::format("{},{},{:.0f},{:.0f}\n", sampled[i].name, sampled[i].count, making[i], drawing[i]);
     write_file(directory / "measured_costs.csv", csv);
     std::cout << csv;
 }
 
 void draw_all(const Path& directory) {
     draw_patterns(directory);
+    draw_alias(directory);
     draw_edge(directory);
     draw_zone_plate(directory);
     draw_filters(directory);
@@ -729,8 +908,12 @@ void draw_all(const Path& directory) {
     draw_mistakes(directory);
     draw_adaptive(directory);
     draw_scenes(directory, __FILE__,
-                {"aliased", "regular", "poisson", "trapezoid", "centered", "jittered", "filters"}, 240, 180);
+                {"aliased", "random", "regular", "poisson", "trapezoid", "centered", "jittered", "filters"},
+                240, 180);
     draw_scenes(directory, __FILE__, {"adaptive"});
+    count_for_errors(directory);
+    write_picture_errors(directory);
+    write_file(directory / "numbers.csv", numbers());
     measure_costs(directory);
 }
 

@@ -12,11 +12,10 @@
 namespace rt {
 
 Estimate estimate(std::span<const Vec3> values) {
-    // [exercise 08.7] Fewer than two values say nothing of the error: return their mean (black for none) and
-    // the standard error ∞. Else m is the sum divided by n. In a second pass, with d = value − m, sum up d
-    // and d·d, each channel for itself. On paper Σd is 0. In floating point Σd/n is the rounding error of m:
-    // add it to m, and take it out of the squares: s² = (Σd² − (Σd)²/n)/(n − 1), never below 0. The standard
-    // error is √(s²/n).
+    // [exercise 08.9] The mean of the n values, and its standard error √(s²/n) with the unbiased variance s²,
+    // each channel for itself. Fewer than two values say nothing of their error: it is ∞, and the mean of no
+    // values is black. Nothing may cancel where the values are nearly equal: find s² in a second pass, from
+    // d = value − mean, and let Σd/n correct the mean, as the lesson says.
     const auto n = static_cast<Real>(values.size());
     if (values.empty()) return {Vec3(0), Vec3(infinity)};
     if (values.size() == 1) return {values[0], Vec3(infinity)};
@@ -34,10 +33,8 @@ Estimate estimate(std::span<const Vec3> values) {
     // [/exercise]
 }
 
-std::vector<int> sample_counts(std::span<const Real> deviations, long long total) {
-    const std::size_t pixels = deviations.size();
-    std::vector<int> counts(pixels, 1);
-    if (deviations.empty() || total <= static_cast<long long>(pixels)) return counts;
+std::vector<Real> sample_shares(std::span<const Real> deviations, long long total) {
+    if (deviations.empty()) return {};
     // Relative to the greatest, no deviation is too large or too small to compute with; this is also right
     // where all of them are 0, and where some are ∞.
     const Real greatest = *std::max_element(deviations.begin(), deviations.end());
@@ -45,40 +42,48 @@ std::vector<int> sample_counts(std::span<const Real> deviations, long long total
     for (const Real deviation : deviations) {
         weights.push_back(deviation == greatest ? 1 : deviation / greatest);
     }
-    // [exercise 08.8] Each pixel is to get its share weights[i]·left/sum, where `left` are the samples to
-    // share and `sum` is the sum of the weights. A pixel whose share is less than 1 gets one sample all the
-    // same: set its weight to 0. That leaves less for the others, so find `left` (total, less one for each
-    // weight that is 0) and `sum` anew, until no share is less than 1. The whole parts of the shares are the
-    // counts. Of the samples that remain, give one each to the pixels whose shares have the greatest
-    // fractional parts, the first of equal ones.
-    long long left = total;
-    Real sum = 0;
+    // [exercise 08.10] The shares of the pixels are in proportion to their `weights` and sum to `total`, but
+    // none is below 1. So a pixel whose share would be less gets 1, and the others share what is then left.
+    // That makes their shares smaller: see whether one of them is now below 1.
+    Real left = 0, sum = 0;
     for (bool settled = false; !settled;) {
         settled = true;
-        left = total - std::count(weights.begin(), weights.end(), Real(0));
+        left = static_cast<Real>(total - std::count(weights.begin(), weights.end(), Real(0)));
         sum = std::accumulate(weights.begin(), weights.end(), Real(0));
         for (Real& weight : weights) {
-            if (weight == 0 || weight * static_cast<Real>(left) >= sum) continue;
+            if (weight == 0 || weight * left >= sum) continue;
             weight = 0;
             settled = false;
         }
     }
-    std::vector<Real> fractions(pixels, 0);
+    for (Real& weight : weights) weight = weight == 0 ? 1 : weight * left / sum;
+    return weights;
+    // [/exercise]
+}
+
+std::vector<int> whole_counts(std::span<const Real> shares, long long total) {
+    // [exercise 08.11] Give each pixel the whole part of its share. Of the samples that then remain of
+    // `total`, give one each to the pixels whose shares have the greatest fractional parts, the first of
+    // equal ones.
+    std::vector<int> counts;
     std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < pixels; ++i) {
-        if (weights[i] == 0) continue;
-        const Real share = weights[i] * static_cast<Real>(left) / sum;
-        counts[i] = static_cast<int>(std::min(share, Real(std::numeric_limits<int>::max() - 1)));
-        fractions[i] = share - counts[i];
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        counts.push_back(static_cast<int>(std::min(shares[i], Real(std::numeric_limits<int>::max() - 1))));
         order.push_back(i);
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return fractions[a] > fractions[b]; });
-    const long long spent = std::accumulate(counts.begin(), counts.end(), 0LL);
-    for (long long i = 0; i < total - spent && !order.empty(); ++i)
-        ++counts[order[static_cast<std::size_t>(i) % order.size()]];
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return shares[a] - counts[a] > shares[b] - counts[b];
+    });
+    long long left = total - std::accumulate(counts.begin(), counts.end(), 0LL);
+    for (auto i = order.begin(); left > 0 && i != order.end(); --left) ++counts[*i++];
     return counts;
     // [/exercise]
+}
+
+std::vector<int> sample_counts(std::span<const Real> deviations, long long total) {
+    // Of fewer samples than pixels each pixel gets one all the same.
+    if (total <= static_cast<long long>(deviations.size())) return std::vector<int>(deviations.size(), 1);
+    return whole_counts(sample_shares(deviations, total), total);
 }
 
 }  // namespace rt

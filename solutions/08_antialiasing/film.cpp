@@ -1,7 +1,8 @@
 // From samples to pixels: filters, and sums that keep what rounding takes away.
 #include "chapters/08_antialiasing/film.hpp"
 
-#include <algorithm>
+#include <glm/common.hpp>
+
 #include <cmath>
 
 namespace rt {
@@ -14,10 +15,8 @@ struct Sum {
 };
 
 [[maybe_unused]] Sum plus(const Sum& before, Real term) {
-    // [exercise 08.6] Add the term to before.sum. What did rounding take away? Of the two numbers that were
-    // added, the greater (by its absolute value) lost nothing: subtract the new sum from it and what comes
-    // out, exactly, is minus the part of the smaller that arrived. Add the smaller, and you have the part
-    // that did not. It is added to `lost` (Neumaier 1974).
+    // [exercise 08.7] Return the sum of before.sum and the term as rounding leaves it, and in `lost` all that
+    // was lost so far: before.lost, and what the rounding of this sum took away, exactly (Neumaier 1974).
     const Real sum = before.sum + term;
     const bool grows = std::abs(term) > std::abs(before.sum);
     const Real greater = grows ? term : before.sum, smaller = grows ? before.sum : term;
@@ -42,19 +41,19 @@ struct Sum {
 }  // namespace
 
 Real filter_weight(const Filter& filter, const Vec2& offset) {
-    // [exercise 08.5] Return 0 if |offset.x| or |offset.y| is greater than the radius, else f(x)·f(y). With
+    // [exercise 08.6] Return 0 if |offset.x| or |offset.y| is greater than the radius, else f(x)·f(y). With
     // t = |x|/r, from 0 to 1, the four kinds of f are
     //   Box       1
     //   Tent      1 − t
     //   Gaussian  e^(−4.5 t²) − e^(−4.5)
-    //   Mitchell  (21 s³ − 36 s² + 16)/18 where s = 2t < 1, else (2 − s)²·(8 − 7s)/18
+    //   Mitchell  (21 z³ − 36 z² + 16)/18 where z = 2t < 1, else (2 − z)²·(8 − 7z)/18
     const auto along_axis = [&filter](Real x) -> Real {
         const Real t = std::abs(x) / filter.radius;
-        const Real s = 2 * t;
+        const Real z = 2 * t;
         if (filter.kind == FilterKind::Box) return 1;
         if (filter.kind == FilterKind::Tent) return 1 - t;
         if (filter.kind == FilterKind::Gaussian) return std::exp(-4.5 * t * t) - std::exp(-4.5);
-        return (s < 1 ? (21 * s - 36) * s * s + 16 : (2 - s) * (2 - s) * (8 - 7 * s)) / 18;
+        return (z < 1 ? (21 * z - 36) * z * z + 16 : (2 - z) * (2 - z) * (8 - 7 * z)) / 18;
     };
     if (std::abs(offset.x) > filter.radius || std::abs(offset.y) > filter.radius) return 0;
     return along_axis(offset.x) * along_axis(offset.y);
@@ -67,8 +66,7 @@ FilmPixel add(const FilmPixel& pixel, const Vec3& color, Real weight) {
 }
 
 Vec3 color_of(const FilmPixel& pixel) {
-    // [exercise 08.6] What rounding took away comes back here: (sum + lost)/(weight + lost_weight). Where no
-    // sample arrived that weight is 0, and the colour black.
+    // [exercise 08.7] The weighted mean, from the sums with what they lost. Black if the weights sum to 0.
     const Real weight = pixel.weight + pixel.lost_weight;
     return weight == 0 ? Vec3(0) : (pixel.sum + pixel.lost) / weight;
     // [/exercise]
@@ -81,27 +79,29 @@ FilmPixel merge(const FilmPixel& a, const FilmPixel& b) {
     return both;
 }
 
+Tile pixels_reached(const Vec2& at, const Filter& filter, const Tile& area) {
+    // [exercise 08.8] Which pixels (x, y) of `area` have their centre (x + ½, y + ½) at most the radius away
+    // from `at`, along x and along y? Return them as a Tile, whose x1 and y1 are one more than the last
+    // column and row. Where a tile begins at its end, there are none.
+    const Vec2 low(area.x0, area.y0), high(area.x1, area.y1);
+    // Centres are exact, so rounding only ever lets in a pixel too many, and filter_weight finds that out.
+    const Vec2 begin = glm::clamp(glm::ceil(at - filter.radius - 0.5), low, high);
+    const Vec2 end = glm::clamp(glm::floor(at + filter.radius - 0.5) + 1.0, low, high);
+    return {static_cast<int>(begin.x), static_cast<int>(begin.y), static_cast<int>(end.x),
+            static_cast<int>(end.y)};
+    // [/exercise]
+}
+
 std::vector<FilmPixel> film_of(std::span<const FilmSample> samples, const Filter& filter, const Tile& area) {
-    // [exercise 08.6] One FilmPixel for each pixel of `area`, row by row. The centre of the pixel (x, y) is
-    // (x + ½, y + ½), and the filter reaches `radius` to each side: so a sample reaches the columns from
-    // ceil(at.x − radius − ½) to floor(at.x + radius − ½), and the rows likewise; those outside the area do
-    // not count. `add` it to each of these pixels, with weight sample.weight · filter_weight(at − centre).
+    // [exercise 08.8] One FilmPixel for each pixel of `area`, row by row; none if the area is empty. `add`
+    // each sample to all the pixels that it reaches, with weight sample.weight · filter_weight(at − centre).
     if (area.x0 >= area.x1 || area.y0 >= area.y1) return {};
     const int width = area.x1 - area.x0;
     std::vector<FilmPixel> pixels(static_cast<std::size_t>(width * (area.y1 - area.y0)));
-    // Centres are exact, so rounding only ever lets in a pixel too many, and filter_weight finds that out.
-    const auto first = [&filter](Real at, int begin, int end) {
-        return static_cast<int>(std::clamp(std::ceil(at - filter.radius - 0.5), Real(begin), Real(end)));
-    };
-    const auto last = [&filter](Real at, int begin, int end) {
-        return static_cast<int>(
-            std::clamp(std::floor(at + filter.radius - 0.5), Real(begin) - 1, Real(end) - 1));
-    };
     for (const FilmSample& sample : samples) {
-        const int x0 = first(sample.at.x, area.x0, area.x1), x1 = last(sample.at.x, area.x0, area.x1);
-        const int y0 = first(sample.at.y, area.y0, area.y1), y1 = last(sample.at.y, area.y0, area.y1);
-        for (int y = y0; y <= y1; ++y) {
-            for (int x = x0; x <= x1; ++x) {
+        const Tile reached = pixels_reached(sample.at, filter, area);
+        for (int y = reached.y0; y < reached.y1; ++y) {
+            for (int x = reached.x0; x < reached.x1; ++x) {
                 FilmPixel& pixel = pixels[static_cast<std::size_t>((y - area.y0) * width + (x - area.x0))];
                 const Real weight = filter_weight(filter, sample.at - Vec2(x + 0.5, y + 0.5));
                 pixel = add(pixel, sample.color, sample.weight * weight);

@@ -13,45 +13,11 @@ namespace {
 
 }  // namespace
 
-std::vector<Stratum> strata(int count) {
-    // [exercise 08.1] Divide the square into whole_root(count) rows. Row j of r holds the parts from
-    // first = floor(j·count/r) up to, but without, last = floor((j + 1)·count/r). Each part has the area
-    // 1/count, so the row reaches from y = first/count to last/count. Side by side in it, its parts divide
-    // 0 ≤ x < 1 evenly. Compute each edge with one division, and neighbours agree on where they meet.
-    std::vector<Stratum> parts;
-    parts.reserve(static_cast<std::size_t>(count));
-    const int rows = whole_root(count);
-    const Real all = count;
-    int first = 0;
-    for (int row = 1; row <= rows; ++row) {
-        const int last = static_cast<int>(static_cast<long long>(row) * count / rows);
-        const int columns = last - first;
-        for (Real i = 0; i < columns; ++i) {
-            parts.push_back({{i / columns, first / all}, {(i + 1) / columns, last / all}});
-        }
-        first = last;
-    }
-    return parts;
-    // [/exercise]
-}
-
-std::vector<PixelSample> regular_samples(int count) {
-    // [exercise 08.1] One sample in the middle of each stratum, each with the weight 1/count.
-    std::vector<PixelSample> samples;
-    samples.reserve(static_cast<std::size_t>(count));
-    for (const Stratum& part : strata(count)) {
-        samples.push_back({(part.low + part.high) / Real(2), Real(1) / count});
-    }
-    return samples;
-    // [/exercise]
-}
-
 Vec3 sample_pixel(const World& world, int x, int y, std::span<const PixelSample> samples, RayColor color,
                   Stream stream) {
-    // [exercise 08.1] For each sample ask camera_ray for the ray through the point (x + at.x, y + at.y) of
-    // the picture, and `color` for the colour along it. Return the sum of weight · colour. Both are handed
-    // the sample's own random numbers, and change them: a copy of `stream`, whose number `sample` is then one
-    // higher for the next.
+    // [exercise 08.1] Each sample has a colour: that of the ray through the point (x + at.x, y + at.y) of the
+    // picture. Return the sum of weight · colour. The camera and `color` draw their random numbers from a
+    // copy of `stream` whose number `sample` is i higher for sample i.
     Vec3 sum(0);
     for (const PixelSample& sample : samples) {
         Stream own = stream;
@@ -70,10 +36,42 @@ std::vector<PixelSample> random_samples(int count, Random random) {
     return samples;
 }
 
+std::vector<Stratum> strata(int count) {
+    // [exercise 08.2] Divide the square into whole_root(count) rows and each row into parts, as the contract
+    // says. All parts have the area 1/count. Parts that meet have the same number, to the bit, for the edge
+    // between them.
+    std::vector<Stratum> parts;
+    parts.reserve(static_cast<std::size_t>(count));
+    const int rows = whole_root(count);
+    const Real all = count;
+    int first = 0;
+    for (int row = 1; row <= rows; ++row) {
+        const int last = static_cast<int>(static_cast<long long>(row) * count / rows);
+        const int columns = last - first;
+        for (Real i = 0; i < columns; ++i) {
+            parts.push_back({{i / columns, first / all}, {(i + 1) / columns, last / all}});
+        }
+        first = last;
+    }
+    return parts;
+    // [/exercise]
+}
+
+std::vector<PixelSample> regular_samples(int count) {
+    // [exercise 08.2] One sample in the middle of each stratum, all of equal weight.
+    std::vector<PixelSample> samples;
+    samples.reserve(static_cast<std::size_t>(count));
+    for (const Stratum& part : strata(count)) {
+        samples.push_back({(part.low + part.high) / Real(2), Real(1) / count});
+    }
+    return samples;
+    // [/exercise]
+}
+
 std::vector<PixelSample> jittered_samples(int count, Random random) {
-    // [exercise 08.2] For each stratum in order: one point u of the unit square by random_point(random), and
-    // the sample lies at low + u·(high − low). The strata contain their low edges but not their high ones,
-    // and the sum may be rounded up to the high edge: then take the low edge in that coordinate.
+    // [exercise 08.3] One sample in each stratum, in their order, at a random place: random_point(random)
+    // draws a point of the unit square. A stratum contains its low edges but not its high ones. Rounding may
+    // put a sample on a high edge: then it lies on the low one instead.
     std::vector<PixelSample> samples;
     samples.reserve(static_cast<std::size_t>(count));
     for (const auto& [low, high] : strata(count)) {
@@ -87,9 +85,9 @@ std::vector<PixelSample> jittered_samples(int count, Random random) {
 }
 
 std::vector<PixelSample> trapezoid_samples(int count) {
-    // [exercise 08.4] With m = whole_root(max(count, 4)) − 1 cells along each side, samples lie at (i/m, j/m)
-    // for i and j from 0 to m, row by row. Start from the weight 1/m². Halve it if i is 0 or m, and halve it
-    // (once more) if j is.
+    // [exercise 08.5] Samples at all corners of m × m cells, row by row, with m = whole_root(max(count, 4)) −
+    // 1. Each counts 1/m², half of that on the left or right edge of the pixel, and half again on the upper
+    // or lower one.
     const int m = whole_root(std::max(count, 4)) - 1;
     const auto part = [m](int i) { return (i == 0 || i == m ? Real(0.5) : Real(1)) / m; };
     std::vector<PixelSample> samples;
@@ -102,12 +100,12 @@ std::vector<PixelSample> trapezoid_samples(int count) {
 }
 
 std::vector<PixelSample> centered_samples(int count) {
-    // [exercise 08.4] With n = whole_root(max(count, 2) − 1): the n² regular samples, then one at (½, ½). All
-    // have the weight 1/(n² + 1).
-    const int n = whole_root(std::max(count, 2) - 1);
-    std::vector<PixelSample> samples = regular_samples(n * n);
+    // [exercise 08.5] The m² regular samples and then one at (½, ½), all of equal weight, with m =
+    // whole_root(max(count, 2) − 1).
+    const int m = whole_root(std::max(count, 2) - 1);
+    std::vector<PixelSample> samples = regular_samples(m * m);
     samples.push_back({Vec2(0.5), 0});
-    for (PixelSample& sample : samples) sample.weight = Real(1) / (n * n + 1);
+    for (PixelSample& sample : samples) sample.weight = Real(1) / (m * m + 1);
     return samples;
     // [/exercise]
 }

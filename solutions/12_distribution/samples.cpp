@@ -43,7 +43,7 @@ std::uint32_t permuted(std::uint32_t index, std::uint32_t count, std::uint64_t k
 }
 
 Stratum stratum(std::uint32_t index, std::uint32_t count) {
-    // The same as in 08.1: row j of r holds the parts from floor(j·count/r) on. Part `index` is in the last
+    // The same as in 08.2: row j of r holds the parts from floor(j·count/r) on. Part `index` is in the last
     // row that begins with it or before.
     const auto rows = static_cast<std::uint64_t>(std::sqrt(static_cast<Real>(count)));
     const std::uint64_t row = ((index + std::uint64_t(1)) * rows - 1) / count;

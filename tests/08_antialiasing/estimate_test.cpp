@@ -1,4 +1,4 @@
-// Steps 08.7 and 08.8: how wrong a mean is, and where more samples help most.
+// Steps 08.9 to 08.11: how wrong a mean is, and where more samples help most.
 #include "chapters/08_antialiasing/estimate.hpp"
 
 #include "common/math/error.hpp"
@@ -26,6 +26,21 @@ Vec2 normal_pair(test::Random& random) {
 void check_counts(const std::vector<Real>& deviations, long long total, const std::vector<int>& expected) {
     INFO(total << " samples for pixels of deviations " << show(deviations) << ": how many each gets");
     const std::vector<int> counts = sample_counts(deviations, total);
+    CHECK(test::or_say(counts == expected, show(counts) + ", expected " + show(expected)));
+}
+
+void check_shares(const std::vector<Real>& deviations, long long total, const std::vector<Real>& expected) {
+    const std::vector<Real> shares = sample_shares(deviations, total);
+    INFO("the shares of " << total << " samples for pixels of deviations " << show(deviations));
+    bool right = shares.size() == expected.size();
+    for (std::size_t i = 0; right && i < shares.size(); ++i)
+        right = std::abs(shares[i] - expected[i]) <= 8 * u * expected[i];
+    CHECK(test::or_say(right, show(shares) + ", expected " + show(expected)));
+}
+
+void check_whole(const std::vector<Real>& shares, long long total, const std::vector<int>& expected) {
+    INFO("the shares " << show(shares) << " of " << total << " samples in whole numbers");
+    const std::vector<int> counts = whole_counts(shares, total);
     CHECK(test::or_say(counts == expected, show(counts) + ", expected " + show(expected)));
 }
 
@@ -136,9 +151,9 @@ std::vector<Real> cautious(const Picture& picture, const std::vector<Real>& foun
 
 }  // namespace
 
-// 08.7 ---------------------------------------------------------------------------------------------------
+// 08.9 ---------------------------------------------------------------------------------------------------
 
-TEST_CASE("mean and standard error of 1, 2, 3, 4", "[08.7]") {
+TEST_CASE("mean and standard error of 1, 2, 3, 4", "[08.9]") {
     const std::vector<Vec3> values = {{1, 7, -1}, {2, 7, -2}, {3, 7, -3}, {4, 7, -4}};
     const Estimate e = estimate(values);
     // s² = (2.25 + 0.25 + 0.25 + 2.25)/3 = 5/3, and a quarter of it is the mean's.
@@ -154,7 +169,7 @@ TEST_CASE("mean and standard error of 1, 2, 3, 4", "[08.7]") {
     CHECK(e.standard_error.z == e.standard_error.x);
 }
 
-TEST_CASE("fewer than two values say nothing of their error", "[08.7]") {
+TEST_CASE("fewer than two values say nothing of their error", "[08.9]") {
     INFO("mean and standard error of no values, then of one");
     CHECK(estimate({}).mean == Vec3(0));
     CHECK(estimate({}).standard_error == Vec3(infinity));
@@ -163,7 +178,7 @@ TEST_CASE("fewer than two values say nothing of their error", "[08.7]") {
     CHECK(estimate({&one, 1}).standard_error == Vec3(infinity));
 }
 
-TEST_CASE("values that are all the same have that mean and no error", "[08.7]") {
+TEST_CASE("values that are all the same have that mean and no error", "[08.9]") {
     const std::vector<Vec3> values(1000, Vec3(0.1, 1e8, 1e-8));
     const Estimate e = estimate(values);
     for (int i = 0; i < 3; ++i) {
@@ -173,7 +188,7 @@ TEST_CASE("values that are all the same have that mean and no error", "[08.7]") 
     }
 }
 
-TEST_CASE("a small spread far from 0 does not cancel", "[08.7]") {
+TEST_CASE("a small spread far from 0 does not cancel", "[08.9]") {
     // The values are 1e8 + d with |d| below 1e-6; subtracting 1e8 is exact, so the same values can be looked
     // at from near by.
     test::Random random(871);
@@ -200,7 +215,7 @@ TEST_CASE("a small spread far from 0 does not cancel", "[08.7]") {
     }
 }
 
-TEST_CASE("the true mean is within two standard errors as often as Student says", "[08.7]") {
+TEST_CASE("the true mean is within two standard errors as often as Student says", "[08.9]") {
     // For five values of a normal distribution |t| < 2 has the probability x(3 − x²)/2 with x = 2/√8 (four
     // degrees of freedom): 0.8839. For more and more values it approaches 0.9545.
     const int trials = cases(100'000);
@@ -222,44 +237,93 @@ TEST_CASE("the true mean is within two standard errors as often as Student says"
     CHECK(test::near(part, expected, 5 * std::sqrt(expected * (1 - expected) / (2 * trials))));
 }
 
-// 08.8 ---------------------------------------------------------------------------------------------------
+// 08.10 --------------------------------------------------------------------------------------------------
 
-TEST_CASE("samples are shared out in proportion to the deviations", "[08.8]") {
-    check_counts({1, 3}, 8, {2, 6});
-    check_counts({0.25, 0.5, 0.25}, 16, {4, 8, 4});
-    check_counts({5}, 17, {17});
+TEST_CASE("of 9 samples deviations of 0, 1 and 3 get the shares 1, 2 and 6", "[08.10]") {
+    check_shares({0, 1, 3}, 9, {1, 2, 6});
 }
 
-TEST_CASE("each pixel has at least one sample, which the others go without", "[08.8]") {
-    check_counts({0, 1, 3}, 9, {1, 2, 6});
-    check_counts({1, 2, 100}, 10, {1, 1, 8});
+TEST_CASE("samples are shared out in proportion to the deviations", "[08.10]") {
+    check_shares({1, 3}, 8, {2, 6});
+    check_shares({0.25, 0.5, 0.25}, 16, {4, 8, 4});
+    check_shares({5}, 17, {17});
+    check_shares({1, 2, 1}, 7, {1.75, 3.5, 1.75});
+}
+
+TEST_CASE("no share is less than 1, and the others go without what that takes", "[08.10]") {
+    check_shares({1, 2, 100}, 10, {1, 1, 8});
     // 9.9 · 5/48.9 is more than 1, but once the first has got its one there are 4 left, and 9.9 · 4/39.9 is
     // less.
-    check_counts({9, 9.9, 30}, 5, {1, 1, 3});
+    check_shares({9, 9.9, 30}, 5, {1, 1, 3});
+    check_shares({0, 0, 7, 0}, 5, {1, 1, 2, 1});
+}
+
+TEST_CASE("without deviations all shares are the same, and infinite ones share what there is", "[08.10]") {
+    check_shares({0, 0, 0}, 8, {8. / 3, 8. / 3, 8. / 3});
+    check_shares({infinity, 1, infinity, 0}, 12, {5, 1, 5, 1});
+    check_shares({1e300, 1e-300, 1e300}, 9, {4, 1, 4});
+    check_shares({5e-324, 0, 1.5e-323}, 9, {2, 1, 6});
+    check_shares({1.7e308, 1.7e308}, 10, {5, 5});
+}
+
+TEST_CASE("shares are the greater of 1 and the deviation times a number, the same for all", "[08.10]") {
+    test::Random random(881);
+    for (int i = 0; i < cases(300); ++i) {
+        std::vector<Real> deviations;
+        const std::size_t pixels = 1 + random.index(60);
+        const Real spread = random.uniform(0, 6);
+        for (std::size_t k = 0; k < pixels; ++k)
+            deviations.push_back(random.index(5) == 0 ? 0 : random.magnitude(-spread, spread));
+        deviations[random.index(pixels)] = 1;
+        const auto total = static_cast<long long>(pixels + 1 + random.index(3000));
+        const std::vector<Real> found = sample_shares(deviations, total),
+                                expected = shares(deviations, total);
+        REQUIRE(found.size() == pixels);
+        for (std::size_t k = 0; k < pixels; ++k) {
+            INFO("pixel " << k << " of " << pixels << ", which share " << total
+                          << " samples; its deviation is " << deviations[k]);
+            REQUIRE(test::near(found[k], expected[k], 1e-9 * expected[k]));
+        }
+    }
+}
+
+// 08.11 --------------------------------------------------------------------------------------------------
+
+TEST_CASE("shares of 3.5, 2.125 and 1.375 of 7 samples become 4, 2 and 1", "[08.11]") {
+    check_whole({3.5, 2.125, 1.375}, 7, {4, 2, 1});
+}
+
+TEST_CASE("of shares that are not whole the greatest fractions are rounded up", "[08.11]") {
+    check_whole({1.75, 3.5, 1.75}, 7, {2, 3, 2});
+    check_whole({2, 1, 6}, 9, {2, 1, 6});
+    check_whole({1, 1.625, 7.375}, 10, {1, 2, 7});
+    check_whole({0.875, 10.5, 20.625}, 32, {1, 10, 21});
+    check_whole({}, 10, {});
+}
+
+TEST_CASE("of equal fractions the first are rounded up", "[08.11]") {
+    check_whole({1.5, 1.5, 1.5, 1.5}, 6, {2, 2, 1, 1});
+    check_whole({2.25, 2.75, 2.25, 2.75}, 10, {2, 3, 2, 3});
+    check_whole({2.75, 1.25, 2.75, 1.25}, 8, {3, 1, 3, 1});
+    check_whole(std::vector<Real>(40, 1.25), 50, [] {
+        std::vector<int> counts(40, 1);
+        std::fill_n(counts.begin(), 10, 2);
+        return counts;
+    }());
+}
+
+TEST_CASE("the counts of pixels come of their deviations", "[08.11]") {
+    check_counts({0, 1, 3}, 9, {1, 2, 6});
+    // 3.5, 2.1 and 1.4.
+    check_counts({5, 3, 2}, 7, {4, 2, 1});
+    check_counts({0, 0, 0}, 8, {3, 3, 2});
     check_counts({1, 5, 2}, 3, {1, 1, 1});
     check_counts({1, 5, 2}, 2, {1, 1, 1});
     check_counts({1, 5, 2}, 0, {1, 1, 1});
     check_counts({}, 10, {});
 }
 
-TEST_CASE("of shares that are not whole the greatest fractions are rounded up", "[08.8]") {
-    // 3.5, 2.1 and 1.4.
-    check_counts({5, 3, 2}, 7, {4, 2, 1});
-    // 1.75, 3.5 and 1.75.
-    check_counts({1, 2, 1}, 7, {2, 3, 2});
-    // Equal fractions: the first ones.
-    check_counts({1, 1, 1, 1}, 6, {2, 2, 1, 1});
-}
-
-TEST_CASE("without deviations all get the same, and infinite ones share what there is", "[08.8]") {
-    check_counts({0, 0, 0}, 8, {3, 3, 2});
-    check_counts({infinity, 1, infinity, 0}, 12, {5, 1, 5, 1});
-    check_counts({1e300, 1e-300, 1e300}, 9, {4, 1, 4});
-    check_counts({5e-324, 0, 1.5e-323}, 9, {2, 1, 6});
-    check_counts({1.7e308, 1.7e308}, 10, {5, 5});
-}
-
-TEST_CASE("all the samples are spent, and no pixel gets one more or less than its share", "[08.8]") {
+TEST_CASE("all the samples are spent, and no pixel gets one more or less than its share", "[08.11]") {
     test::Random random(881);
     for (int i = 0; i < cases(300); ++i) {
         std::vector<Real> deviations;
@@ -287,7 +351,7 @@ TEST_CASE("all the samples are spent, and no pixel gets one more or less than it
     }
 }
 
-TEST_CASE("adaptive sampling has no bias in a million samples, if its pilot is thrown away", "[08.8]") {
+TEST_CASE("adaptive sampling has no bias in a million samples, if its pilot is thrown away", "[08.11]") {
     const Picture picture(28, 8, 2.3, 882);
     const int mean = 16;
     const auto total = static_cast<long long>(picture.size()) * mean;
@@ -314,7 +378,7 @@ TEST_CASE("adaptive sampling has no bias in a million samples, if its pilot is t
 }
 
 TEST_CASE("adaptive sampling makes smaller errors with as many samples, where few pixels have edges",
-          "[08.8]") {
+          "[08.11]") {
     const int mean = 12, pictures = 6;
     Real before = 0, after = 0;
     for (std::uint64_t seed = 0; seed < pictures; ++seed) {

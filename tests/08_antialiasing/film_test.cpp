@@ -1,4 +1,4 @@
-// Steps 08.5 and 08.6: filters, and sums that keep what rounding takes away.
+// Steps 08.6 to 08.8: filters, and sums that keep what rounding takes away.
 #include "chapters/08_antialiasing/film.hpp"
 
 #include "common/math/error.hpp"
@@ -72,6 +72,22 @@ void check_weight(const Filter& filter, const Vec2& offset, Real expected, Real 
     CHECK(near(filter_weight(filter, offset), expected, bound));
 }
 
+bool in(const Tile& tile, int x, int y) { return tile.x0 <= x && x < tile.x1 && tile.y0 <= y && y < tile.y1; }
+
+std::string in_words(const Tile& tile) {
+    return "columns from " + std::to_string(tile.x0) + " to before " + std::to_string(tile.x1) +
+           ", rows from " + std::to_string(tile.y0) + " to before " + std::to_string(tile.y1);
+}
+
+void check_reached(const Vec2& at, const Filter& filter, const Tile& area, const Tile& expected) {
+    const Tile reached = pixels_reached(at, filter, area);
+    INFO("which pixels a sample at " << at << " reaches under the " << name_of(filter) << " of radius "
+                                     << filter.radius << "; of the area of " << in_words(area));
+    const bool same = reached.x0 == expected.x0 && reached.y0 == expected.y0 && reached.x1 == expected.x1 &&
+                      reached.y1 == expected.y1;
+    CHECK(test::or_say(same, in_words(reached) + "\nexpected " + in_words(expected)));
+}
+
 void check_color(const FilmPixel& pixel, const Vec3& expected, const char* samples) {
     INFO(samples << "\nthe colour of the film's pixel: " << pixel);
     CHECK(test::near_color(color_of(pixel), expected, 0));
@@ -79,9 +95,9 @@ void check_color(const FilmPixel& pixel, const Vec3& expected, const char* sampl
 
 }  // namespace
 
-// 08.5 ---------------------------------------------------------------------------------------------------
+// 08.6 ---------------------------------------------------------------------------------------------------
 
-TEST_CASE("the box counts all alike that are not outside", "[08.5]") {
+TEST_CASE("the box counts all alike that are not outside", "[08.6]") {
     check_weight(box, {0, 0}, 1);
     check_weight(box, {0.25, -0.4}, 1);
     check_weight(box, {0.5, -0.5}, 1);
@@ -90,7 +106,7 @@ TEST_CASE("the box counts all alike that are not outside", "[08.5]") {
     check_weight({FilterKind::Box, 3}, {2.5, 2}, 1);
 }
 
-TEST_CASE("the tent falls evenly to its end", "[08.5]") {
+TEST_CASE("the tent falls evenly to its end", "[08.6]") {
     check_weight(tent, {0, 0}, 1);
     check_weight(tent, {0.5, 0}, 0.5);
     check_weight(tent, {0, -0.75}, 0.25);
@@ -99,8 +115,8 @@ TEST_CASE("the tent falls evenly to its end", "[08.5]") {
     check_weight({FilterKind::Tent, 2}, {1, 0}, 0.5);
 }
 
-TEST_CASE("the Gaussian is a bell that reaches 0 at its end", "[08.5]") {
-    // e^-4.5 = 0.0111090 and e^-0.5 = 0.6065307; s is a third of the radius.
+TEST_CASE("the Gaussian is a bell that reaches 0 at its end", "[08.6]") {
+    // e^-4.5 = 0.0111090 and e^-0.5 = 0.6065307; σ is a third of the radius.
     const Real top = 0.9888910034617577, at_s = 0.5954216631743912;
     check_weight(gaussian, {0, 0}, top * top, 8 * u);
     check_weight(gaussian, {0.5, 0}, at_s * top, 8 * u);
@@ -109,7 +125,7 @@ TEST_CASE("the Gaussian is a bell that reaches 0 at its end", "[08.5]") {
     check_weight(gaussian, {1.5, 0}, 0, 8 * u);
 }
 
-TEST_CASE("Mitchell's filter is 8/9 at its top and 1/18 half way, then negative", "[08.5]") {
+TEST_CASE("Mitchell's filter is 8/9 at its top and 1/18 half way, then negative", "[08.6]") {
     const Real top = 8. / 9;
     check_weight(mitchell, {0, 0}, top * top, 4 * u);
     check_weight(mitchell, {1, 0}, top / 18, 4 * u);
@@ -120,7 +136,7 @@ TEST_CASE("Mitchell's filter is 8/9 at its top and 1/18 half way, then negative"
     check_weight({FilterKind::Mitchell, 1}, {0, 0.75}, -top * 5 / 144, 4 * u);
 }
 
-TEST_CASE("Mitchell's filter is the paper's cubic with B = C = 1/3", "[08.5]") {
+TEST_CASE("Mitchell's filter is the paper's cubic with B = C = 1/3", "[08.6]") {
     test::Random random(851);
     for (int i = 0; i < cases(2000); ++i) {
         const Real radius = random.uniform(0.5, 4);
@@ -134,7 +150,7 @@ TEST_CASE("Mitchell's filter is the paper's cubic with B = C = 1/3", "[08.5]") {
     }
 }
 
-TEST_CASE("filters are symmetric, products of what they do along each axis, and 0 outside", "[08.5]") {
+TEST_CASE("filters are symmetric, products of what they do along each axis, and 0 outside", "[08.6]") {
     test::Random random(852);
     for (int i = 0; i < cases(2000); ++i) {
         const std::size_t kind = random.index(4);
@@ -155,7 +171,7 @@ TEST_CASE("filters are symmetric, products of what they do along each axis, and 
     }
 }
 
-TEST_CASE("filters but the box have no steps, not at their ends either", "[08.5]") {
+TEST_CASE("filters but the box have no steps, not at their ends either", "[08.6]") {
     for (const Filter& filter : {tent, gaussian, mitchell}) {
         INFO("the " << name_of(filter) << ": the step between places a thousandth of the radius apart");
         const Real h = filter.radius / 1000;
@@ -167,7 +183,7 @@ TEST_CASE("filters but the box have no steps, not at their ends either", "[08.5]
     }
 }
 
-TEST_CASE("tents and Mitchell's filters of neighbouring pixels share each sample out completely", "[08.5]") {
+TEST_CASE("tents and Mitchell's filters of neighbouring pixels share each sample out completely", "[08.6]") {
     test::Random random(853);
     for (int i = 0; i < cases(1000); ++i) {
         const Vec2 at(random.uniform(0, 1), random.uniform(0, 1));
@@ -190,9 +206,9 @@ TEST_CASE("tents and Mitchell's filters of neighbouring pixels share each sample
     }
 }
 
-// 08.6 ---------------------------------------------------------------------------------------------------
+// 08.7 ---------------------------------------------------------------------------------------------------
 
-TEST_CASE("a film pixel's colour is the weighted mean, and black before the first sample", "[08.6]") {
+TEST_CASE("a film pixel's colour is the weighted mean, and black before the first sample", "[08.7]") {
     check_color(FilmPixel{}, Vec3(0), "no samples");
     FilmPixel pixel = add(FilmPixel{}, {1, 0, 4}, 1);
     check_color(pixel, {1, 0, 4}, "(1, 0, 4), weight 1");
@@ -205,7 +221,7 @@ TEST_CASE("a film pixel's colour is the weighted mean, and black before the firs
     check_color(add(FilmPixel{}, {1, 2, 3}, 0), Vec3(0), "(1, 2, 3), weight 0");
 }
 
-TEST_CASE("what is small beside the sum is not lost, and neither is what is great", "[08.6]") {
+TEST_CASE("what is small beside the sum is not lost, and neither is what is great", "[08.7]") {
     FilmPixel pixel;
     for (const Real term : {1e16, 1., 1., -1e16}) pixel = add(pixel, Vec3(term), 1);
     check_color(pixel, Vec3(0.5), "1e16, 1, 1 and -1e16 in each channel, weight 1 each");
@@ -215,7 +231,7 @@ TEST_CASE("what is small beside the sum is not lost, and neither is what is grea
     check_color(pixel, {1, 0.5, -0.5}, "(1, x, -x) with x = 1, 1e16, 1 and -1e16, weight 0.5 each");
 }
 
-TEST_CASE("a million samples are summed up as well as one", "[08.6]") {
+TEST_CASE("a million samples are summed up as well as one", "[08.7]") {
     const int n = cases(1'000'000);
     FilmPixel pixel;
     Real naive = 0;
@@ -236,7 +252,7 @@ TEST_CASE("a million samples are summed up as well as one", "[08.6]") {
     CHECK(!near(naive / (0.3 * n), 0.1, 1000 * bound * 0.1));
 }
 
-TEST_CASE("merged sums are as good as one", "[08.6]") {
+TEST_CASE("merged sums are as good as one", "[08.7]") {
     FilmPixel a, b, whole;
     for (const Real term : {1e16, 1., 3., 1e-3}) {
         a = add(a, Vec3(term, 1, 0), 1);
@@ -258,7 +274,56 @@ TEST_CASE("merged sums are as good as one", "[08.6]") {
     CHECK((both.weight - 2e16) + both.lost_weight == 2);
 }
 
-TEST_CASE("a sample goes to the pixels that it reaches, and only to those", "[08.6]") {
+// 08.8 ---------------------------------------------------------------------------------------------------
+
+TEST_CASE("a sample at (2.25, 1.5) reaches the columns 1 and 2 under a tent", "[08.8]") {
+    const Vec2 at(2.25, 1.5);
+    // Columns 1 and 2, whose centres are 0.75 and 0.25 away. The rows 0 and 2 are just as far as the tent
+    // reaches.
+    check_reached(at, tent, {0, 0, 4, 3}, {1, 0, 3, 3});
+    check_reached(at, tent, {0, 1, 2, 2}, {1, 1, 2, 2});
+    check_reached(at, tent, {2, 1, 4, 3}, {2, 1, 3, 3});
+    // A box of a pixel's size reaches one pixel, and where samples lie just between pixels, both.
+    check_reached({2.25, 1.375}, box, {0, 0, 4, 3}, {2, 1, 3, 2});
+    check_reached({2, 1}, box, {0, 0, 4, 3}, {1, 0, 3, 2});
+    check_reached({2.25, 1.375}, mitchell, {0, 0, 9, 9}, {0, 0, 4, 3});
+    check_reached({5.625, 5.25}, gaussian, {0, 0, 9, 9}, {4, 4, 7, 7});
+}
+
+TEST_CASE("a sample that is far from the area reaches none of its pixels", "[08.8]") {
+    const Tile area{2, 3, 6, 5};
+    for (const Vec2& at : {Vec2(0.25, 4), Vec2(7.75, 4), Vec2(4, 1.25), Vec2(4, 6.75), Vec2(-1e30, 4)}) {
+        const Tile reached = pixels_reached(at, tent, area);
+        INFO("a sample at "
+             << at << " under a tent of radius 1, of an area from column 2 up to column 5 and from row "
+             << "3 up to row 4: " << in_words(reached));
+        CHECK(test::or_say(reached.x0 >= reached.x1 || reached.y0 >= reached.y1, "it reaches some pixels"));
+    }
+}
+
+TEST_CASE("the pixels that a sample reaches are those whose centres are near enough", "[08.8]") {
+    test::Random random(863);
+    for (int i = 0; i < cases(500); ++i) {
+        const Filter filter{FilterKind::Tent, random.uniform(0.3, 3)};
+        const Vec2 at(random.uniform(-3, 12), random.uniform(-3, 12));
+        const Tile area{1, 2, 9, 8};
+        const Tile reached = pixels_reached(at, filter, area);
+        INFO("a sample at " << at << ", a filter of radius " << filter.radius
+                            << ", columns 1 to 8 and rows 2 to 7: " << in_words(reached));
+        for (int y = -4; y < 14; ++y) {
+            for (int x = -4; x < 14; ++x) {
+                const Vec2 away = glm::abs(at - Vec2(x + 0.5, y + 0.5));
+                const bool wanted = in(area, x, y) && std::max(away.x, away.y) <= filter.radius;
+                if (wanted == in(reached, x, y)) continue;
+                INFO("the pixel (" << x << ", " << y << "), whose centre is " << away << " away");
+                REQUIRE(test::or_say(!wanted, "it is reached, but left out"));
+                REQUIRE(test::or_say(wanted, "it is not reached, or outside of the area"));
+            }
+        }
+    }
+}
+
+TEST_CASE("a sample goes to the pixels that it reaches, and only to those", "[08.8]") {
     // 3/4 to the pixel (2, 1), whose centre is at 2.5; 1/4 to the pixel (1, 1).
     const FilmSample one{{2.25, 1.5}, {8, 4, 2}, 0.5};
     const std::vector<FilmPixel> film = film_of({&one, 1}, tent, {0, 0, 4, 3});
@@ -274,7 +339,7 @@ TEST_CASE("a sample goes to the pixels that it reaches, and only to those", "[08
     }
 }
 
-TEST_CASE("an empty area has no sums, and a film without samples is black", "[08.6]") {
+TEST_CASE("an empty area has no sums, and a film without samples is black", "[08.8]") {
     const FilmSample one{{2.25, 1.5}, {8, 4, 2}, 0.5};
     INFO("how many pixels there are of an area without width, of one without height, and of 2 x 2");
     CHECK(film_of({&one, 1}, tent, {2, 1, 2, 3}).size() == 0);
@@ -286,7 +351,7 @@ TEST_CASE("an empty area has no sums, and a film without samples is black", "[08
     for (const FilmPixel& pixel : film) CHECK(color_of(pixel) == Vec3(0));
 }
 
-TEST_CASE("a film is what asking each pixel about each sample makes, to the bit", "[08.6]") {
+TEST_CASE("a film is what asking each pixel about each sample makes, to the bit", "[08.8]") {
     test::Random random(861);
     for (int i = 0; i < cases(40); ++i) {
         const std::vector<FilmSample> samples = random_film_samples(random, 60);
@@ -317,7 +382,7 @@ TEST_CASE("a film is what asking each pixel about each sample makes, to the bit"
     }
 }
 
-TEST_CASE("one colour stays that colour under every filter, up to the picture's border", "[08.6]") {
+TEST_CASE("one colour stays that colour under every filter, up to the picture's border", "[08.8]") {
     const Vec3 color(0.1, 0.7, 1);
     for (std::size_t kind = 0; kind < 4; ++kind) {
         for (const int n : {1, 2, 3}) {
@@ -335,7 +400,7 @@ TEST_CASE("one colour stays that colour under every filter, up to the picture's 
     }
 }
 
-TEST_CASE("films of two tiles merge to the film of the picture", "[08.6]") {
+TEST_CASE("films of two tiles merge to the film of the picture", "[08.8]") {
     test::Random random(862);
     const std::vector<FilmSample> samples = random_film_samples(random, 200);
     const Tile picture{0, 0, 7, 6};

@@ -1,4 +1,4 @@
-// Step 08.3: samples that keep their distance.
+// Step 08.4: samples that keep their distance.
 #include "chapters/08_antialiasing/samples.hpp"
 
 #include "common/math/error.hpp"
@@ -68,7 +68,7 @@ Real power(int patterns, Real near, Real far, Pattern pattern) {
 
 }  // namespace
 
-TEST_CASE("distances are measured across the pixel's edges too", "[08.3]") {
+TEST_CASE("distances are measured across the pixel's edges too", "[08.4]") {
     const auto check = [](const Vec2& a, const Vec2& b, Real expected) {
         INFO("the distance of " << a << " and " << b << " where the pixel is repeated on all sides");
         CHECK(test::near(torus_distance(a, b), expected, 0));
@@ -82,7 +82,7 @@ TEST_CASE("distances are measured across the pixel's edges too", "[08.3]") {
     CHECK(poisson_disk_samples(2, random_for(0, 0, 0)).samples.size() == 2);
 }
 
-TEST_CASE("a single Poisson disk sample lies anywhere, infinitely far from others", "[08.3]") {
+TEST_CASE("a single Poisson disk sample lies anywhere, infinitely far from others", "[08.4]") {
     const PoissonDisk a = poisson_disk_samples(1, random_for(1, 0, 0)),
                       b = poisson_disk_samples(1, random_for(2, 0, 0));
     INFO("two patterns of one sample: how many, its weight, the distance, and that they differ");
@@ -93,7 +93,7 @@ TEST_CASE("a single Poisson disk sample lies anywhere, infinitely far from other
     CHECK(a.samples[0].at != b.samples[0].at);
 }
 
-TEST_CASE("no two samples are nearer than the distance that is returned", "[08.3]") {
+TEST_CASE("no two samples are nearer than the distance that is returned", "[08.4]") {
     const auto check = [](int count, std::uint64_t which) {
         INFO(count << " samples of random_for(7, " << count << ", " << which << ")");
         const PoissonDisk disk =
@@ -136,7 +136,7 @@ TEST_CASE("no two samples are nearer than the distance that is returned", "[08.3
     }
 }
 
-TEST_CASE("the distance shrinks only when 32·count darts in a row were refused", "[08.3]") {
+TEST_CASE("the distance shrinks only when 32·count darts in a row were refused", "[08.4]") {
     // The throwing of darts again, each compared with all samples: what distance is left when it is through?
     const auto distance_of = [](int count, Random random) {
         std::vector<Vec2> samples;
@@ -174,7 +174,7 @@ TEST_CASE("the distance shrinks only when 32·count darts in a row were refused"
     check(5, 12110);
 }
 
-TEST_CASE("equal random sequences make equal Poisson disk patterns", "[08.3]") {
+TEST_CASE("equal random sequences make equal Poisson disk patterns", "[08.4]") {
     const PoissonDisk a = poisson_disk_samples(16, random_for(1, 2, 3)),
                       b = poisson_disk_samples(16, random_for(1, 2, 3));
     INFO("16 samples of random_for(1, 2, 3), twice");
@@ -183,7 +183,7 @@ TEST_CASE("equal random sequences make equal Poisson disk patterns", "[08.3]") {
     CHECK(a.distance == b.distance);
 }
 
-TEST_CASE("the mean of Poisson disk samples is the coverage", "[08.3]") {
+TEST_CASE("the mean of Poisson disk samples is the coverage", "[08.4]") {
     const int patterns = cases(2000);
     const auto t = [&](const auto& shape) {
         return std::abs(test::t_of(shape, patterns, [](std::uint64_t i) {
@@ -198,7 +198,7 @@ TEST_CASE("the mean of Poisson disk samples is the coverage", "[08.3]") {
     CHECK(t(test::ZonePlate{{-0.3, 0.1}, 12}) < test::t_limit);
 }
 
-TEST_CASE("the spectrum of Poisson disk samples is blue: little power in low frequencies", "[08.3]") {
+TEST_CASE("the spectrum of Poisson disk samples is blue: little power in low frequencies", "[08.4]") {
     const int count = 100, patterns = cases(200);
     // 10 waves a pixel are one for each row of samples. Below half of that there is little power, and where
     // the distance between samples is one wave there is more than random samples have.

@@ -1,4 +1,5 @@
-// Steps 08.1, 08.2 and 08.4: strata, regular and jittered samples, the rules of POV-Ray.
+// Steps 08.1, 08.2, 08.3 and 08.5: the mean over a pixel, strata, regular and jittered samples, the rules of
+// POV-Ray.
 #include "chapters/08_antialiasing/samples.hpp"
 
 #include "common/math/error.hpp"
@@ -75,96 +76,7 @@ Random with_greatest(std::uint64_t which) {
 
 // 08.1 ---------------------------------------------------------------------------------------------------
 
-TEST_CASE("one stratum is the whole pixel, four are its quarters", "[08.1]") {
-    check_strata({{{0, 0}, {1, 1}}});
-    check_strata({{{0, 0}, {0.5, 0.5}}, {{0.5, 0}, {1, 0.5}}, {{0, 0.5}, {0.5, 1}}, {{0.5, 0.5}, {1, 1}}});
-}
-
-TEST_CASE("of five strata two are in the upper row, which is two fifths high", "[08.1]") {
-    check_strata({{{0, 0}, {0.5, 2. / 5}},
-                  {{0.5, 0}, {1, 2. / 5}},
-                  {{0, 2. / 5}, {1. / 3, 1}},
-                  {{1. / 3, 2. / 5}, {2. / 3, 1}},
-                  {{2. / 3, 2. / 5}, {1, 1}}},
-                 2 * u);
-}
-
-TEST_CASE("any number of strata have equal areas, and cover the pixel once", "[08.1]") {
-    for (int count = 1; count <= 400; ++count) {
-        INFO(count << " strata");
-        const std::vector<Stratum> parts = strata(count);
-        REQUIRE(
-            test::or_say(parts.size() == static_cast<std::size_t>(count), "there are " + show(parts.size())));
-        // Each begins exactly where the one before ends: at its right, or at the left below it. So they leave
-        // no gaps and do not overlap, if the first begins top left and the last ends bottom right.
-        Vec2 begin(0);
-        Real bottom = parts[0].high.y;
-        for (const Stratum& part : parts) {
-            if (begin.x == 1) {
-                begin = Vec2(0, bottom);
-                bottom = part.high.y;
-            }
-            // Its sides are 1/columns and columns/count; each end of a side is off by u/2 at most.
-            const Vec2 side = part.high - part.low;
-            const bool follows = part.low == begin && part.high.y == bottom && side.x > 0 && side.y > 0;
-            const bool equal = std::abs(side.x * side.y * count - 1) <= u * (1 / side.x + 1 / side.y + 4);
-            if (!follows || !equal) {
-                INFO("stratum from " << show(part.low) << " to " << show(part.high)
-                                     << ", the one before ends at x = " << begin.x);
-                REQUIRE(test::or_say(follows, "it does not begin where the one before ends"));
-                REQUIRE(test::or_say(equal, "its area is not 1/" + show(count)));
-            }
-            begin = Vec2(part.high.x, part.low.y);
-        }
-        INFO("where the last one ends, in the lower right corner");
-        REQUIRE(parts.back().high == Vec2(1));
-    }
-}
-
-TEST_CASE("n × n strata are squares with edges at multiples of 1/n", "[08.1]") {
-    for (int n = 1; n <= 40; ++n) {
-        const std::vector<Stratum> parts = strata(n * n);
-        REQUIRE(parts.size() == static_cast<std::size_t>(n * n));
-        for (int j = 0; j < n; ++j) {
-            for (int i = 0; i < n; ++i) {
-                const Stratum& part = parts[static_cast<std::size_t>(j * n + i)];
-                // One more rounding than the last is forgiven.
-                const auto low = test::near(part.low, Vec2(i, j) / Real(n), 2 * u);
-                const auto high = test::near(part.high, Vec2(i + 1, j + 1) / Real(n), 2 * u);
-                if (low && high) continue;
-                INFO("of " << n << " × " << n << " strata that in column " << i << ", row " << j
-                           << ": its upper left corner, and its lower right one");
-                REQUIRE(low);
-                REQUIRE(high);
-            }
-        }
-    }
-}
-
-TEST_CASE("one regular sample is in the middle of the pixel", "[08.1]") {
-    const std::vector<PixelSample> one = regular_samples(1);
-    INFO("how many regular samples there are of 1, where it is, and what it weighs");
-    REQUIRE(one.size() == 1);
-    CHECK(one[0].at == Vec2(0.5));
-    CHECK(one[0].weight == 1);
-}
-
-TEST_CASE("regular samples are in the middles of the strata and weigh the same", "[08.1]") {
-    for (int count = 1; count <= 100; ++count) {
-        INFO(count << " samples");
-        const std::vector<PixelSample> samples = regular_samples(count);
-        const std::vector<Stratum> parts = strata(count);
-        REQUIRE(samples.size() == parts.size());
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            INFO("number " << i << " in the " << show(parts[i]) << ": its place, and its weight times "
-                           << count);
-            REQUIRE(test::near(samples[i].at, (parts[i].low + parts[i].high) / 2., 2 * u));
-            REQUIRE(test::near(samples[i].weight * count, 1, 2 * u));
-        }
-    }
-}
-
-TEST_CASE("a pixel's colour is the weighted mean over its samples", "[08.1]") {
+TEST_CASE("a pixel of two samples is their weighted mean", "[08.1]") {
     const World world = plain_world(8, 6);
     const PixelSample two[2] = {{{0.25, 0.5}, 0.75}, {{0.75, 0.25}, 0.25}};
     // 3/4 of (5.25, 2.5) and 1/4 of (5.75, 2.25).
@@ -196,7 +108,98 @@ TEST_CASE("each sample has random numbers of its own, whatever the others asked 
     CHECK(test::near(color, {7, 52, 10 * (0.5 * 4 + 0.25 * 5 + 0.25 * 6)}, 0));
 }
 
-TEST_CASE("regular samples of a slope make the colour of its middle", "[08.1]") {
+// 08.2 ---------------------------------------------------------------------------------------------------
+
+TEST_CASE("one stratum is the whole pixel, four are its quarters", "[08.2]") {
+    check_strata({{{0, 0}, {1, 1}}});
+    check_strata({{{0, 0}, {0.5, 0.5}}, {{0.5, 0}, {1, 0.5}}, {{0, 0.5}, {0.5, 1}}, {{0.5, 0.5}, {1, 1}}});
+}
+
+TEST_CASE("of five strata two are in the upper row, which is two fifths high", "[08.2]") {
+    check_strata({{{0, 0}, {0.5, 2. / 5}},
+                  {{0.5, 0}, {1, 2. / 5}},
+                  {{0, 2. / 5}, {1. / 3, 1}},
+                  {{1. / 3, 2. / 5}, {2. / 3, 1}},
+                  {{2. / 3, 2. / 5}, {1, 1}}},
+                 2 * u);
+}
+
+TEST_CASE("any number of strata have equal areas, and cover the pixel once", "[08.2]") {
+    for (int count = 1; count <= 400; ++count) {
+        INFO(count << " strata");
+        const std::vector<Stratum> parts = strata(count);
+        REQUIRE(
+            test::or_say(parts.size() == static_cast<std::size_t>(count), "there are " + show(parts.size())));
+        // Each begins exactly where the one before ends: at its right, or at the left below it. So they leave
+        // no gaps and do not overlap, if the first begins top left and the last ends bottom right.
+        Vec2 begin(0);
+        Real bottom = parts[0].high.y;
+        for (const Stratum& part : parts) {
+            if (begin.x == 1) {
+                begin = Vec2(0, bottom);
+                bottom = part.high.y;
+            }
+            // Its sides are 1/columns and columns/count; each end of a side is off by u/2 at most.
+            const Vec2 side = part.high - part.low;
+            const bool follows = part.low == begin && part.high.y == bottom && side.x > 0 && side.y > 0;
+            const bool equal = std::abs(side.x * side.y * count - 1) <= u * (1 / side.x + 1 / side.y + 4);
+            if (!follows || !equal) {
+                INFO("stratum from " << show(part.low) << " to " << show(part.high)
+                                     << ", the one before ends at x = " << begin.x);
+                REQUIRE(test::or_say(follows, "it does not begin where the one before ends"));
+                REQUIRE(test::or_say(equal, "its area is not 1/" + show(count)));
+            }
+            begin = Vec2(part.high.x, part.low.y);
+        }
+        INFO("where the last one ends, in the lower right corner");
+        REQUIRE(parts.back().high == Vec2(1));
+    }
+}
+
+TEST_CASE("n × n strata are squares with edges at multiples of 1/n", "[08.2]") {
+    for (int n = 1; n <= 40; ++n) {
+        const std::vector<Stratum> parts = strata(n * n);
+        REQUIRE(parts.size() == static_cast<std::size_t>(n * n));
+        for (int j = 0; j < n; ++j) {
+            for (int i = 0; i < n; ++i) {
+                const Stratum& part = parts[static_cast<std::size_t>(j * n + i)];
+                // One more rounding than the last is forgiven.
+                const auto low = test::near(part.low, Vec2(i, j) / Real(n), 2 * u);
+                const auto high = test::near(part.high, Vec2(i + 1, j + 1) / Real(n), 2 * u);
+                if (low && high) continue;
+                INFO("of " << n << " × " << n << " strata that in column " << i << ", row " << j
+                           << ": its upper left corner, and its lower right one");
+                REQUIRE(low);
+                REQUIRE(high);
+            }
+        }
+    }
+}
+
+TEST_CASE("one regular sample is in the middle of the pixel", "[08.2]") {
+    const std::vector<PixelSample> one = regular_samples(1);
+    INFO("how many regular samples there are of 1, where it is, and what it weighs");
+    REQUIRE(one.size() == 1);
+    CHECK(one[0].at == Vec2(0.5));
+    CHECK(one[0].weight == 1);
+}
+
+TEST_CASE("regular samples are in the middles of the strata and weigh the same", "[08.2]") {
+    for (int count = 1; count <= 100; ++count) {
+        INFO(count << " samples");
+        const std::vector<PixelSample> samples = regular_samples(count);
+        const std::vector<Stratum> parts = strata(count);
+        REQUIRE(samples.size() == parts.size());
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            INFO("number " << i << " in the " << show(parts[i]) << ": its place, and its weight times "
+                           << count);
+            REQUIRE(test::near(samples[i].at, (parts[i].low + parts[i].high) / 2., 2 * u));
+            REQUIRE(test::near(samples[i].weight * count, 1, 2 * u));
+        }
+    }
+}
+
+TEST_CASE("regular samples of a slope make the colour of its middle", "[08.2]") {
     const World world = plain_world(16, 9);
     for (int count = 1; count <= 100; ++count) {
         const Vec3 color = sample_pixel(world, 11, 3, regular_samples(count), color_is_origin, {});
@@ -206,7 +209,7 @@ TEST_CASE("regular samples of a slope make the colour of its middle", "[08.1]") 
     }
 }
 
-TEST_CASE("with regular samples the error of smooth colours falls as 1/n", "[08.1]") {
+TEST_CASE("with regular samples the error of smooth colours falls as 1/n", "[08.2]") {
     const Real slope =
         test::error_slope(cases(500), test::any_smooth, [](int n, Random) { return regular_samples(n); });
     INFO("the exponent with which the error falls, the midpoint rule's is −1");
@@ -214,9 +217,9 @@ TEST_CASE("with regular samples the error of smooth colours falls as 1/n", "[08.
     CHECK(test::near(slope, -1, 0.05));
 }
 
-// 08.2 ---------------------------------------------------------------------------------------------------
+// 08.3 ---------------------------------------------------------------------------------------------------
 
-TEST_CASE("each stratum has one jittered sample, and all weigh the same", "[08.2]") {
+TEST_CASE("each stratum has one jittered sample, and all weigh the same", "[08.3]") {
     for (int count = 1; count <= 400; ++count) {
         INFO(count << " samples");
         const std::vector<PixelSample> samples = jittered_samples(count, random_for(1, 2, 3));
@@ -234,7 +237,7 @@ TEST_CASE("each stratum has one jittered sample, and all weigh the same", "[08.2
     }
 }
 
-TEST_CASE("jittered samples come everywhere in their strata", "[08.2]") {
+TEST_CASE("jittered samples come everywhere in their strata", "[08.3]") {
     const std::vector<Stratum> parts = strata(4);
     std::vector<Vec2> least(4, Vec2(infinity)), greatest(4, Vec2(-infinity));
     for (std::uint64_t k = 0; k < 500; ++k) {
@@ -254,7 +257,7 @@ TEST_CASE("jittered samples come everywhere in their strata", "[08.2]") {
     }
 }
 
-TEST_CASE("even the greatest random number leaves a sample in its stratum", "[08.2]") {
+TEST_CASE("even the greatest random number leaves a sample in its stratum", "[08.3]") {
     for (const int count : {1, 2, 3, 4, 9, 10, 16, 25}) {
         const std::vector<Stratum> parts = strata(count);
         for (std::uint64_t which = 1; which <= 2 * static_cast<std::uint64_t>(count); ++which) {
@@ -269,7 +272,7 @@ TEST_CASE("even the greatest random number leaves a sample in its stratum", "[08
     }
 }
 
-TEST_CASE("equal random sequences make equal patterns, others make others", "[08.2]") {
+TEST_CASE("equal random sequences make equal patterns, others make others", "[08.3]") {
     const std::vector<PixelSample> a = jittered_samples(16, random_for(1, 2, 3)),
                                    b = jittered_samples(16, random_for(1, 2, 3)),
                                    c = jittered_samples(16, random_for(1, 2, 4));
@@ -284,7 +287,7 @@ TEST_CASE("equal random sequences make equal patterns, others make others", "[08
     }
 }
 
-TEST_CASE("jittered samples are uniform in their strata, and independent of their neighbours", "[08.2]") {
+TEST_CASE("jittered samples are uniform in their strata, and independent of their neighbours", "[08.3]") {
     const int count = 7;
     const std::vector<Stratum> parts = strata(count);
     std::vector<int> places(64), neighbours(64);
@@ -317,7 +320,7 @@ TEST_CASE("jittered samples are uniform in their strata, and independent of thei
     CHECK(test::chi_square(neighbours) < limit);
 }
 
-TEST_CASE("the mean of random and of jittered samples is the coverage", "[08.2]") {
+TEST_CASE("the mean of random and of jittered samples is the coverage", "[08.3]") {
     const int patterns = cases(4000);
     const auto check = [&](const auto& shape) {
         INFO("coverage " << test::truth(shape));
@@ -346,7 +349,7 @@ TEST_CASE("the mean of random and of jittered samples is the coverage", "[08.2]"
     }
 }
 
-TEST_CASE("the error falls as n^-½ for random samples, and faster for jittered ones", "[08.2]") {
+TEST_CASE("the error falls as n^-½ for random samples, and faster for jittered ones", "[08.3]") {
     const int trials = cases(8000);
     // Each mean square error is known to about 2/√trials of itself, its root to half of that, and the slope
     // over a factor 256 in n to a quarter of that: 0.01 for 800 trials, and 0.003 for 8000.
@@ -367,9 +370,9 @@ TEST_CASE("the error falls as n^-½ for random samples, and faster for jittered 
     }
 }
 
-// 08.4 ---------------------------------------------------------------------------------------------------
+// 08.5 ---------------------------------------------------------------------------------------------------
 
-TEST_CASE("four trapezoid samples are the corners of the pixel", "[08.4]") {
+TEST_CASE("four trapezoid samples are the corners of the pixel", "[08.5]") {
     for (const int count : {1, 2, 3, 4, 5, 8}) {
         INFO("asked for " << count << " samples");
         const std::vector<PixelSample> samples = trapezoid_samples(count);
@@ -387,7 +390,7 @@ TEST_CASE("four trapezoid samples are the corners of the pixel", "[08.4]") {
     }
 }
 
-TEST_CASE("of nine trapezoid samples corners count 1/16, edges 2/16, the middle 4/16", "[08.4]") {
+TEST_CASE("of nine trapezoid samples corners count 1/16, edges 2/16, the middle 4/16", "[08.5]") {
     const std::vector<PixelSample> samples = trapezoid_samples(9);
     REQUIRE(samples.size() == 9);
     const Real sixteenths[9] = {1, 2, 1, 2, 4, 2, 1, 2, 1};
@@ -398,7 +401,7 @@ TEST_CASE("of nine trapezoid samples corners count 1/16, edges 2/16, the middle 
     }
 }
 
-TEST_CASE("trapezoid weights sum to 1, and make the mean of a slope and of a saddle exactly", "[08.4]") {
+TEST_CASE("trapezoid weights sum to 1, and make the mean of a slope and of a saddle exactly", "[08.5]") {
     for (int count = 1; count <= 300; ++count) {
         INFO("asked for " << count << " samples");
         const std::vector<PixelSample> samples = trapezoid_samples(count);
@@ -422,7 +425,7 @@ TEST_CASE("trapezoid weights sum to 1, and make the mean of a slope and of a sad
     }
 }
 
-TEST_CASE("centered samples are regular ones and one more in the middle, of equal weight", "[08.4]") {
+TEST_CASE("centered samples are regular ones and one more in the middle, of equal weight", "[08.5]") {
     for (int count = 1; count <= 300; ++count) {
         INFO("asked for " << count << " samples");
         const std::vector<PixelSample> samples = centered_samples(count);

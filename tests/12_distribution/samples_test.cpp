@@ -93,7 +93,7 @@ bool inside(const Stratum& part, const Vec2& p) {
     return part.low.x <= p.x && p.x < part.high.x && part.low.y <= p.y && p.y < part.high.y;
 }
 
-/// The strata of 08.1, by its words.
+/// The strata of 08.2, by its words.
 std::vector<Stratum> all_strata(std::uint32_t count) {
     std::vector<Stratum> parts;
     std::uint32_t rows = 1;
