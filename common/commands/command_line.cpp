@@ -359,7 +359,8 @@ void add_references(CommandLine& line) {
 
 void add_exercises(CommandLine& line) {
     CLI::App* sub = add_command(
-        line, "exercises", "report generated files that differ: exercises, and the table of scene commands",
+        line, "exercises",
+        "report generated files that differ: exercises, code in lessons, the table of scene commands",
         "exercises", [&line] { return run_exercises(line.make, line.json); });
     sub->add_flag("--make", line.make, "write them");
     sub->group(for_maintainers);

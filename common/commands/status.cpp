@@ -12,21 +12,22 @@ namespace rt {
 
 namespace {
 
-/// "●●●○○": one mark a step.
+/// "●●●○◇": one mark a step; a diamond is one that may be left out.
 std::string bar(const ChapterResult& result) {
     std::string marks;
     for (const StepResult& step : result.steps)
         marks += step.state == State::Passed   ? paint("●", Tone::Good)
                  : step.state == State::Failed ? paint("✗", Tone::Bad)
-                                               : paint("○", Tone::Dim);
+                                               : paint(step.optional ? "◇" : "○", Tone::Dim);
     return marks;
 }
 
 void print(const std::vector<Chapter>& chapters, const std::vector<KnownResult>& known) {
     int passed = 0, total = 0;
     for (const KnownResult& result : known) {
-        passed += count(result.result, State::Passed);
-        total += static_cast<int>(result.result.steps.size());
+        const StepsDone done = steps_done(result.result);
+        passed += done.passed;
+        total += done.all;
     }
     fmt::print("{}  {} of {}\n\n", paint("Ray tracing, chapter by chapter", Tone::Bold), passed,
                counted(total, "step"));

@@ -98,7 +98,10 @@ void read_dates(const JsonValue& root, const std::vector<Chapter>& chapters, Rub
 Rubric default_rubric(const std::vector<Chapter>& chapters) {
     Rubric rubric;
     for (const Chapter& chapter : chapters)
-        for (const Step& step : chapter.steps) rubric.steps[step.id].points = whole_points(step.points);
+        for (const Step& step : chapter.steps) {
+            rubric.steps[step.id].points = whole_points(step.points);
+            rubric.steps[step.id].extra = step.optional;
+        }
     return rubric;
 }
 

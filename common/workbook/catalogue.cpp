@@ -48,7 +48,7 @@ bool is_earlier(const std::string& step, const Chapter& chapter) {
 }
 
 Step read_step(const JsonValue& entry, const Chapter& chapter, const fs::path& root) {
-    entry.only({"id", "title", "file", "points", "picture", "hints", "uses"});
+    entry.only({"id", "title", "file", "points", "optional", "picture", "hints", "uses"});
     Step step;
     const JsonValue id = entry.at("id");
     step.id = id.text();
@@ -62,6 +62,7 @@ Step read_step(const JsonValue& entry, const Chapter& chapter, const fs::path& r
     if (!has_exercise(root, chapter, step.file))
         entry.at("file").fail(fmt::format("there is no '{}' beside this file", step.file));
     step.points = static_cast<int>(entry.at("points").whole(1, 1000));
+    if (entry.has("optional")) step.optional = entry.at("optional").boolean();
     if (entry.has("picture")) step.picture = some_text(entry.at("picture"));
     if (step.picture.ends_with(".scene") && !fs::exists(root / "references" / chapter.name / step.picture))
         entry.at("picture").fail(fmt::format("there is no references/{}/{}", chapter.name, step.picture));

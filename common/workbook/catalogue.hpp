@@ -19,6 +19,8 @@ struct Step {
     std::vector<std::string> uses{};
     /// What shows it best: one of the chapter's scenes or a drawing (common/pictures/drawings.cpp); or empty.
     std::string picture{};
+    /// A challenge that is checked: its points are extra credit, and the chapter is complete without it.
+    bool optional = false;
 };
 
 struct Chapter {

@@ -203,6 +203,7 @@ ChapterResult judge_program(const Project& project, const Chapter& chapter, cons
             result.steps.push_back(alone.death.empty() ? result_of(step.id, alone.report.ended)
                                                        : died(step.id, alone));
         }
+        result.steps.back().optional = step.optional;
     }
     return result;
 }

@@ -11,6 +11,7 @@ std::optional<Target> next_in(const Chapter& chapter, const KnownResult& known, 
     const std::size_t count = chapter.steps.size();
     for (std::size_t i = 0; i < count; ++i) {
         const Step& step = chapter.steps[(first + i) % count];
+        if (step.optional && i > 0) continue;
         const auto result = std::ranges::find(known.result.steps, step.id, &StepResult::id);
         if (!known.current || result == known.result.steps.end() || result->state != State::Passed)
             return Target{&chapter, &step};

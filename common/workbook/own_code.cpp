@@ -85,9 +85,8 @@ OwnCode own_code(const Project& project, const std::vector<Chapter>& chapters) {
         }
         const std::vector<std::string> steps = begun_steps(project, chapter);
         if (steps.empty()) continue;
-        const std::vector<std::string> files = exercise_files(project, chapter);
-        const bool is_whole = std::none_of(files.begin(), files.end(), [&](const std::string& file) {
-            return waits(text_of(project, chapter, file));
+        const bool is_whole = std::none_of(chapter.steps.begin(), chapter.steps.end(), [&](const Step& step) {
+            return !step.optional && waits(text_of(project, chapter, step.file), step.id);
         });
         if (is_whole)
             own.whole.push_back(&chapter);

@@ -60,7 +60,8 @@ std::string step_line(const Step& step, const StepResult& result) {
     const std::string mark = result.state == State::Passed   ? paint("✓", Tone::Good)
                              : result.state == State::Failed ? paint("✗", Tone::Bad)
                                                              : paint("○", Tone::Dim);
-    std::string line = fmt::format("  {} {}  {:<44} {:>3} points", mark, step.id, step.title, step.points);
+    std::string line = fmt::format("  {} {}  {:<44} {:>3} points{}", mark, step.id, step.title, step.points,
+                                   step.optional ? ", optional" : "");
     if (result.state == State::Todo && !result.message.empty())
         line += paint("   " + result.message, Tone::Dim);
     if (!result.because.empty()) line += paint("   perhaps because of " + result.because, Tone::Dim);
@@ -105,6 +106,7 @@ std::string next_action(const Chapter& chapter, const ChapterResult& result) {
         const StepResult& step = result.steps[i];
         // What only waits for another step may be finished already.
         if (step.state != State::Todo || step.message.starts_with("waits for")) continue;
+        if (step.optional && result.steps.size() > 1) continue;
         const std::string lesson = i == 0 ? fmt::format("read chapters/{}/README.md and ", chapter.name) : "";
         return fmt::format("{}write step {} in {}, then {}   (stuck? ./course hint {})", lesson, step.id,
                            file_of(chapter, step.id), check, step.id);
@@ -133,6 +135,7 @@ nlohmann::ordered_json results_json(const std::vector<Chapter>& chapters,
             steps.push_back({{"id", step.id},
                              {"title", described.title},
                              {"points", described.points},
+                             {"optional", described.optional},
                              {"state", name_of(step.state)},
                              {"message", step.message}});
         }

@@ -28,7 +28,7 @@ std::string next_action(const Project& project, const std::vector<Chapter>& chap
 /// What to do next in a chapter that is not finished.
 std::string next_action(const Chapter& chapter, const ChapterResult& result);
 
-/// {"chapters":[{"id","title","steps":[{"id","title","points","state","message"}]}]}: the results
+/// {"chapters":[{"id","title","steps":[{"id","title","points","optional","state","message"}]}]}: the results
 /// may be of some chapters, and of some of their steps.
 nlohmann::ordered_json results_json(const std::vector<Chapter>& chapters,
                                     const std::vector<ChapterResult>& results);

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <functional>
 
 namespace rt {
 
@@ -53,17 +54,28 @@ std::string_view name_of(State state) {
 
 ChapterResult all_todo(const Chapter& chapter) {
     ChapterResult result{chapter.name, "", {}};
-    for (const Step& step : chapter.steps) result.steps.push_back({step.id, State::Todo, ""});
+    for (const Step& step : chapter.steps)
+        result.steps.push_back({step.id, State::Todo, "", "", step.optional});
     return result;
 }
 
-int count(const ChapterResult& result, State state) {
-    return static_cast<int>(std::count_if(result.steps.begin(), result.steps.end(),
-                                          [&](const StepResult& step) { return step.state == state; }));
+StepsDone steps_done(const ChapterResult& result) {
+    const bool only_optional =
+        std::all_of(result.steps.begin(), result.steps.end(), std::mem_fn(&StepResult::optional));
+    StepsDone done;
+    for (const StepResult& step : result.steps) {
+        if (step.optional && !only_optional) continue;
+        ++done.all;
+        if (step.state == State::Passed) ++done.passed;
+    }
+    return done;
 }
 
 bool all_passed(const ChapterResult& result) {
-    return count(result, State::Passed) == static_cast<int>(result.steps.size());
+    const StepsDone done = steps_done(result);
+    return done.passed == done.all &&
+           std::none_of(result.steps.begin(), result.steps.end(),
+                        [](const StepResult& step) { return step.state == State::Failed; });
 }
 
 TestReport read_report(std::string_view text) {

@@ -22,6 +22,7 @@ struct StepResult {
     std::string message;  ///< the first line says it all; more may follow
     std::string
         because{};  ///< a failed step that it uses, and from which its own failure may follow; or empty
+    bool optional = false;  ///< as the catalogue says of the step
 };
 
 struct ChapterResult {
@@ -37,8 +38,13 @@ struct ChapterResult {
 /// Nothing started.
 ChapterResult all_todo(const Chapter& chapter);
 
+/// Whether nothing is left to do: optional steps need not be begun, unless nothing else was asked for.
 bool all_passed(const ChapterResult& result);
-int count(const ChapterResult& result, State state);
+/// How many steps there are, and how many have passed; optional ones are not counted, unless there are no others.
+struct StepsDone {
+    int passed = 0, all = 0;
+};
+StepsDone steps_done(const ChapterResult& result);
 
 /// One test case as the report of a test program (tests/main.cpp) tells it.
 struct TestRun {

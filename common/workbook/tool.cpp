@@ -2,8 +2,10 @@
 //   course-tool exercise IN OUT            the exercise of a solution
 //   course-tool change FILE... DIR OUT     the solution in DIR with known mistakes or right variants of one
 //   file
+//   course-tool quotes FILE ROOT STAMP     whether all that a lesson quotes exists; STAMP depends on that
 #include "common/image/whole_file.hpp"
 #include "common/workbook/exercise.hpp"
+#include "common/workbook/lesson.hpp"
 #include "common/workbook/mistake.hpp"
 
 #include <cstdio>
@@ -34,7 +36,19 @@ int run(const std::vector<std::string>& arguments) {
         write(arguments.back(), text);
         return 0;
     }
-    std::fprintf(stderr, "usage: course-tool exercise IN OUT | course-tool change FILE... DIR OUT\n");
+    if (arguments.size() == 4 && arguments[0] == "quotes") {
+        const fs::path stamp = arguments[3];
+        const std::string text = rt::read_file(arguments[1]);
+        std::string rule = stamp.string() + ":";
+        for (const fs::path& file : rt::woven_lesson(text, arguments[1], arguments[2]).sources)
+            rule += " " + file.string();
+        write(stamp.string() + ".d", rule + "\n");
+        write(stamp, "");
+        return 0;
+    }
+    std::fprintf(stderr,
+                 "usage: course-tool exercise IN OUT | course-tool change FILE... DIR OUT | course-tool "
+                 "quotes FILE ROOT STAMP\n");
     return 2;
 }
 
