@@ -191,7 +191,7 @@ struct Mistaken {
 
 /// A picture a mistake.
 std::vector<figures::Panel> panels_of(const std::vector<Mistaken>& mistakes) {
-    const int width = 174, height = 165;
+    const int width = 186, height = 176;
     const Mesh mesh = knot(60, 10);
     const std::vector<Triangle> triangles = triangles_of(mesh);
     const Camera camera{.eye = {1.5, -4.5, 8.5}, .look_at = {0, -0.1, 0}, .up = {0, 1, 0}};
@@ -237,7 +237,7 @@ Svg mistakes() {
     const auto as_they_are = [](const Vec2& uv) { return uv; };
     const auto exchanged = [](const Vec2& uv) { return Vec2(uv.y, uv.x); };
     return figures::side_by_side(panels_of({{"right", any, first, as_they_are},
-                                            {"weights exchanged", any, first, exchanged},
+                                            {"swapped weights", any, first, exchanged},
                                             {"backs only", back, first, as_they_are},
                                             {"last hit", any, last, as_they_are}}),
                                  4);
