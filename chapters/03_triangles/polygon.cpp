@@ -15,28 +15,25 @@
 namespace rt {
 
 Plane supporting_plane(std::span<const Vec3> vertices) {
-    // 03.1  The plane through the first vertex. Its normal is the sum over the edges p → q of
-    // ((p.y − q.y)(p.z + q.z), (p.z − q.z)(p.x + q.x), (p.x − q.x)(p.y + q.y)); do not forget the edge from
-    // the last vertex back to the first. Measure p and q from the first vertex: far from the origin the
-    // sums p.x + q.x would swallow the polygon.
+    // 03.1  The plane through the first vertex, its normal the sum over all edges by Newell's
+    // method. Far from the origin it must be as good as near it.
     return todo("03.1");
 }
 
 int dominant_axis(const Vec3& normal) {
-    // 03.2  The index of the greatest of |x|, |y|, |z|; the first of equal ones.
+    // 03.2  Which axis the normal is nearest to, by its number; the first of equally near ones.
     return todo("03.2");
 }
 
 Vec2 project(const Vec3& point, int axis) {
-    // 03.2  Drop the coordinate `axis`; keep the next two in cyclic order, x → y → z → x.
+    // 03.2  The point without its coordinate `axis`; the two next to it, in cyclic order.
     return todo("03.2");
 }
 
 bool point_in_polygon(std::span<const Vec2> polygon, const Vec2& point) {
-    // 03.2  Count the edges that the half-line from the point along +x crosses; odd is inside.
-    // An edge counts where its lower end is at most as high as the point and its upper end is higher; that
-    // way each vertex belongs to one end of the half-line only. Compute on which side of the edge the point
-    // is from the lower to the upper end, so that the two polygons that share the edge get the same answer.
+    // 03.2  Whether the half-line from the point along +x crosses an odd number of edges. An edge
+    // owns its lower end and not its upper one; two polygons that share an edge must agree about the side on
+    // which the point lies.
     return todo("03.2");
 }
 
@@ -91,10 +88,9 @@ bool is_close(std::span<const Vec2> outline, Real size) {
 }
 
 std::optional<Hit> intersect(const Polygon& polygon, const Ray& ray, Interval range) {
-    // 03.10  hit_plane (given) says where the ray meets the polygon's plane. Whether that is inside
-    // is better not asked of the point, which is rounded, but of the ray: see the vertices along it (shear,
-    // seen); x and y of what it sees are an outline around (0, 0). Where that is_close (given; its size is
-    // the greatest |x| or |y|, plus the greatest |z|), exact_passes_through decides, else point_in_polygon.
+    // 03.10  hit_plane (given) says where the ray meets the polygon's plane. Whether it passes
+    // inside is not asked of that point, which is rounded, but of the outline that the ray sees. Where
+    // is_close (given) says so, exact_passes_through decides; its size is that of step 03.7.
     return todo("03.10");
 }
 

@@ -22,47 +22,41 @@ Vec3 unit_vector(const Vec3& v) {
 }
 
 Vec3 unit_normal(const Triangle& triangle) {
-    // 03.3  The unit normal: the cross product of two edges. The products at the three corners,
-    // ab × bc, bc × ca and ca × ab, are all the same but for rounding, and best is the one at the corner with
-    // the greatest angle, which lies opposite to the longest edge. Make the edges unit vectors before you
-    // multiply them (unit_vector is given): their product then neither overflows nor underflows, and its
-    // length is the sine of the angle between them. Where that is at most ¼, rounding weighs too much: return
-    // the unit vector of exact_normal, which is given and slow.
+    // 03.3  The unit normal of the triangle: right for edges of any length (unit_vector is given),
+    // and from the corner where rounding matters least. Where the triangle is so flat that the sine there is
+    // at most ¼, return the unit vector of exact_normal, which is given and slow.
     return todo("03.3");
 }
 
 std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point) {
-    // 03.3  The weights of the corners. The weight of a corner is the area of the triangle that
-    // the point spans with the other two corners, over the area of the whole. Areas have a sign:
-    // take the component of the cross product along the unit normal.
+    // 03.3  The weights of the corners a, b and c, with a sign: on the far side of the edge
+    // opposite to a corner its weight is negative. A triangle without area has none.
     return todo("03.3");
 }
 
 ShearedRay shear(const Ray& ray) {
-    // 03.4  Let z be the axis in which |direction| is greatest, x and y the next two in cyclic
-    // order, and divide the direction's x and y by its z.
+    // 03.4  The ray with its axes renamed: z is the one along which it goes fastest, x and y are
+    // the next two in cyclic order. And its slope along the new x and y.
     return todo("03.4");
 }
 
 Vec3 seen(const ShearedRay& ray, const Vec3& point) {
-    // 03.4  Subtract the ray's origin from the point, coordinate by coordinate: x, y and z are
-    // those with the numbers ray.x, ray.y and ray.z. Then shear: x − slope.x·z, y − slope.y·z and z.
+    // 03.4  The point as the ray sees it: measured from the ray's origin, its coordinates renamed
+    // (x is number ray.x), and sheared so that all points of the ray have x = y = 0.
     return todo("03.4");
 }
 
 Real edge_function(const Vec2& p, const Vec2& q) {
-    // 03.5  p.x·q.y − p.y·q.x, nearly as if without rounding. Where the two products nearly cancel,
-    // what their rounding took away decides: std::fma(x, y, -xy) is exactly x·y − xy, where xy is the rounded
-    // product. Take it into account for both products, so that (q, p) gets the opposite of (p, q).
+    // 03.5  p.x·q.y − p.y·q.x, nearly as if without rounding: where the two products nearly cancel,
+    // what their rounding took away decides. For (q, p) it must be the exact opposite.
     return todo("03.5");
 }
 
 std::optional<Hit> hit_of_seen(const ShearedRay& ray, const Vec3& a, const Vec3& b, const Vec3& c,
                                Interval range) {
-    // 03.6  The ray is at x = y = 0. The edge functions of x and y of (c, b), (a, c) and (b, a) are
-    // the weights u, v, w of a, b and c, still to be divided by their sum: each edge weighs the corner
-    // opposite to it. The weighted mean of the corners' z, over the z of the direction (its coordinate number
-    // ray.z), is t. Is it in the range?
+    // 03.6  The ray is at x = y = 0, inside the triangle. From the edge functions follow the
+    // weights of the corners, and from those t, in units of the direction's length. Nothing if it is not in
+    // the range.
     return todo("03.6");
 }
 
@@ -74,15 +68,13 @@ std::optional<Hit> intersect_exactly(const Triangle& triangle, const Ray& ray, I
 
 std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, Interval range) {
     // 03.7  The watertight test.
-    //   1. See the corners along the ray, which is now at x = y = 0. Let `size` be the greatest |x| or |y| of
-    //      the three, plus the greatest |z|: all errors grow with it. Where its square might overflow or
-    //      underflow (outside of 1e-140 to 1e140), leave it to intersect_exactly, which is given.
-    //   2. The places are off by less than 8u · size. Are all three x, or all three y, on the same side of 0
-    //      and further away than that? A miss.
-    //   3. The cross products p.x·q.y − p.y·q.x of (c, b), (a, c) and (b, a) tell on which side of each edge
-    //      the ray passes; they are off by less than 128u · size². One surely negative and one surely
-    //      positive: a miss. Else, if one of them may be 0, let intersect_exactly decide.
-    //   4. Here the ray passes through the triangle: what is left is hit_of_seen (03.6).
+    //   1. See the corners along the ray. Let `size` be the greatest |x| or |y| of the three, plus the
+    //      greatest |z|. Outside of 1e-140 to 1e140 its square might leave the range of Real: leave such
+    //      triangles to intersect_exactly, which is given.
+    //   2. x and y are off by less than 8u · size. A triangle that surely lies to one side is missed.
+    //   3. The plain p.x·q.y − p.y·q.x of the edges are off by less than 128u · size². A miss where they are
+    //      surely of both signs; where one is too close to 0 to know, intersect_exactly decides.
+    //   4. Else a sure hit, which hit_of_seen (03.6) finds.
     return todo("03.7");
 }
 
@@ -93,8 +85,8 @@ std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval 
 Surface surface_at(const Triangle& triangle, const Ray&, const Hit& hit) {
     const Real weight_a = 1 - hit.uv.x - hit.uv.y;
     Surface surface;
-    // 03.8  Fill in point (the weighted sum of the corners: it lies better on the triangle than
-    // origin + t · direction does), normal, shading_normal (the same) and uv.
+    // 03.8  Fill in point (by the weights, not by t), normal, shading_normal and uv, all of the
+    // flat triangle.
     return todo("03.8");
     // Given; chapter 6 derives it. The point: two roundings in weight_a, one in each product, two in the sum,
     // and two to cover those of this line. What else is wrong has the size of the greatest distance of a
@@ -110,24 +102,36 @@ Surface surface_at(const Triangle& triangle, const Ray&, const Hit& hit) {
 }
 
 Vec3 interpolate(const TriangleNormals& normals, const Vec2& uv, const Vec3& flat) {
-    // 03.8  The weighted sum of the three normals, made a unit vector; `flat` if it is zero.
+    // 03.8  The unit normal between those of the corners; `flat` where they cancel.
     return todo("03.8");
 }
 
 Vec2 interpolate(const TriangleUvs& uvs, const Vec2& uv) {
-    // 03.8  The weighted sum of the three texture coordinates.
+    // 03.8  The texture coordinates between those of the corners.
     return todo("03.8");
 }
 
 std::optional<Hit> closest_hit(std::span<const Triangle> triangles, const Ray& ray, Interval range) {
-    // 03.9  The nearest hit; shear the ray once, not once a triangle. Shrinking the range as hits
-    // are found saves work, but it includes its end: an equally near triangle that comes later must not win.
+    // 03.9  The nearest hit with any of the triangles, of equally near ones the first. What depends
+    // on the ray alone is worked out once, not once a triangle.
     return todo("03.9");
 }
 
 bool any_hit(std::span<const Triangle> triangles, const Ray& ray, Interval range) {
-    // 03.9  Whether there is a hit at all; the first one found is enough.
+    // 03.9  Whether any triangle is hit; the first one found is enough.
     return todo("03.9");
+}
+
+Real solid_angle(const Triangle& triangle, const Vec3& from) {
+    // 03.11  How much of the view the triangle fills, seen from the point: the area of its shadow
+    // on the unit sphere around it. Positive where the point sees the triangle's back.
+    return todo("03.11");
+}
+
+Real winding_number(std::span<const Triangle> triangles, const Vec3& point) {
+    // 03.11  How often the triangles go round the point: all that they fill of its view, over the
+    // whole view.
+    return todo("03.11");
 }
 
 }  // namespace rt

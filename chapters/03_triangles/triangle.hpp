@@ -29,7 +29,7 @@ std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point);
 struct ShearedRay {
     Ray ray;
     int x = 0, y = 1, z = 2;  ///< the axes, renamed in cyclic order so that the direction's greatest one is z
-    Vec2 slope{0};            ///< the direction's x and y over its z: how fast it drifts aside; at most 1
+    Vec2 slope = Vec2(0);     ///< the direction's x and y over its z: how fast it drifts aside; at most 1
 };
 
 /// [03.4] The ray for the watertight test: worked out once a ray, not once a triangle.
@@ -44,7 +44,7 @@ Vec3 seen(const ShearedRay& ray, const Vec3& point);
 
 /// [03.5] Twice the signed area of the triangle (0, p, q): p.x·q.y − p.y·q.x, positive where the turn from p
 /// to q is counterclockwise. The sign is exact and the relative error at most 3u, also where the products
-/// nearly cancel (short of underflow; Dekker 1971), and edge_function(q, p) = −edge_function(p, q) to the
+/// nearly cancel (short of underflow; Jeannerod 2016), and edge_function(q, p) = −edge_function(p, q) to the
 /// bit.
 Real edge_function(const Vec2& p, const Vec2& q);
 
@@ -91,5 +91,16 @@ std::optional<Hit> closest_hit(std::span<const Triangle> triangles, const Ray& r
 
 /// [03.9] Whether any triangle is hit in the range; stops at the first.
 bool any_hit(std::span<const Triangle> triangles, const Ray& ray, Interval range);
+
+/// [03.11] The solid angle of the triangle seen from a point that does not lie on it: the area of its shadow
+/// on the unit sphere around the point, at most 2π (Van Oosterom & Strackee 1983). Positive where the point
+/// is behind the triangle, so that it sees the corners go round clockwise, negative in front of it. In
+/// triangles of any size; right to some roundings of 2π, and of the corners as the point sees them.
+Real solid_angle(const Triangle& triangle, const Vec3& from);
+
+/// [03.11] How often the triangles go round the point: the sum of their solid angles over 4π (Jacobson, Kavan
+/// & Sorkine-Hornung 2013). Of a closed mesh whose fronts look outward it is 1 inside and 0 outside; of one
+/// with holes something between.
+Real winding_number(std::span<const Triangle> triangles, const Vec3& point);
 
 }  // namespace rt

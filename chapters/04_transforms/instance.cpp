@@ -30,21 +30,18 @@ bool misses(const Sphere& bound, const Ray& local, Interval range) {
 }  // namespace
 
 std::optional<Hit> intersect(const Ellipsoid& ellipsoid, const Ray& ray, Interval range) {
-    // 04.6  Take the ray to the ellipsoid's local space; there it is the unit sphere around the
-    // origin, which chapter 2 knows how to hit. The t of that hit needs no change.
+    // 04.6  The hit in the ellipsoid's local space, where it is the unit sphere of chapter 2.
     return todo("04.6");
 }
 
 Surface surface_at(const Ellipsoid& ellipsoid, const Ray& ray, const Hit& hit) {
-    // 04.6  Ask chapter 2 for the surface of the unit sphere at the hit of the local ray, and
-    // take it to the world with to_world.
+    // 04.6  The surface at the hit, taken to the world.
     return todo("04.6");
 }
 
 std::optional<Hit> intersect(const MeshUse& shown, const Ray& local, Interval range) {
-    // 04.6  If the ray misses the mesh's bounding sphere (the function `misses` above says so),
-    // there is nothing to ask. Else ask for the closest hit with the mesh, closest_hit(*shown.mesh, local,
-    // range): its `primitive` is the triangle, which belongs into `element`.
+    // 04.6  The closest hit with the mesh, unless the ray misses its bounding sphere (`misses`,
+    // above, says so). Which triangle it was belongs into `element`.
     return todo("04.6");
 }
 

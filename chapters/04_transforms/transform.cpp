@@ -11,20 +11,18 @@
 namespace rt {
 
 Mat4 translation(const Vec3& by) {
-    // 04.1  Start from the identity, Mat4(1). GLM's matrices are written column by column:
-    // m[3] is the last column, where a translation stands.
+    // 04.1  The matrix that moves points by `by` and leaves directions alone.
     return todo("04.1");
 }
 
 Mat4 scaling(const Vec3& by) {
-    // 04.1  The factors stand on the diagonal: m[0][0], m[1][1], m[2][2].
+    // 04.1  The matrix that multiplies each coordinate by its factor.
     return todo("04.1");
 }
 
 Mat4 rotation(const Vec3& axis, Real angle) {
-    // 04.2  Column i is the image of the i-th axis e. Rodrigues: with the unit axis k, a vector v
-    // turns into cos·v + (1 − cos)·(k·v)·k + sin·(k × v); for v = e, k·v is k[i]. The axis may be tiny or
-    // huge: unit_vector of chapter 3 brings it to length 1 without overflow.
+    // 04.2  The rotation by `angle` radians, by the formula of Rodrigues. The axis may be tiny or
+    // huge.
     return todo("04.2");
 }
 
@@ -35,14 +33,14 @@ Mat4 matrix(const TransformStep& step) {
 }
 
 std::vector<Mat4> compose(std::span<const TransformNode> nodes) {
-    // 04.3  For each node in order: its matrix is that of its parent (the identity where parent
-    // is −1) times matrix(node.step). Parents come first, so theirs is there already.
+    // 04.3  The matrix of each node, in their order. Where `parent` is −1 there is none;
+    // matrix(node.step) is that of a node's own step.
     return todo("04.3");
 }
 
 namespace {
 
-/// The element of I − M·X in the given row and column of the linear parts, computed with twice the digits
+/// The element of E = I − M·X in the given row and column of the linear parts, computed with twice the digits
 /// (Ogita, Rump & Oishi 2005): what is left of 1 − 1 is not rounding error.
 Real missing(const Mat4& m, const Mat4& x, int row, int column) {
     Real sum = row == column ? 1 : 0, lost = 0;
@@ -56,8 +54,8 @@ Real missing(const Mat4& m, const Mat4& x, int row, int column) {
 }
 
 /// The inverse of `m` from a rough one, linear parts only, or nothing if `rough` is not rough but wrong.
-/// Newton's step X + X·(I − M·X) squares what is missing (Schulz 1933), so six of them make the last bits
-/// right. That ‖I − M·X‖ is less than 1 in the end proves that M is not singular.
+/// Newton's step X + X·E squares what is missing (Schulz 1933), so six of them make the last bits right. That
+/// ‖E‖ is less than 1 in the end proves that M is not singular.
 std::optional<Mat4> refined(const Mat4& m, const Mat4& rough) {
     Mat4 x = rough;
     for (int step = 0; step < 6; ++step) {
@@ -92,18 +90,15 @@ std::optional<Mat4> inverse(const Mat4& m) {
 
     Mat4 rough(1);
     // 04.4  Put the inverse of the upper left 3×3 of `scaled` into that of `rough`, by Gauss–Jordan
-    // elimination: write the identity beside the matrix; column by column choose the pivot, the greatest
-    // |element| that is left in the column, and swap its row into place; divide that row by the pivot;
-    // subtract multiples of it from the other rows, so that the column becomes one of the identity. Where the
-    // pivot is 0 the matrix is singular: return nothing.
+    // elimination. The pivot of a column is the greatest |element| that is left in it; where that is 0 the
+    // matrix is singular: return nothing.
     return todo("04.4");
 
     const std::optional<Mat4> fine = refined(scaled, rough);
     if (!fine) return std::nullopt;
     Mat4 result(1);
-    // 04.4  `fine` is right to the last bits, for `scaled`. The columns of the result are its
-    // columns, each times the `factor` of the row with the same number. Then its last column: a translation
-    // by t is undone by −L⁻¹·t, with t = m[3].
+    // 04.4  `fine` is the inverse of `scaled`, right to the last bits. Make it the inverse of `m`:
+    // undo the factors of the rows, then add the translation that undoes that of `m`.
     return todo("04.4");
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 3; ++r)
@@ -122,15 +117,19 @@ Vec3 transform_vector(const Mat4& m, const Vec3& v) {
 }
 
 Vec3 transform_normal(const Mat4& inverse, const Vec3& n) {
-    // 04.5  The transpose of the inverse's linear part, times n: each coordinate is the dot
-    // product of one column of `inverse` with n.
+    // 04.5  The transpose of the inverse's linear part, times n.
     return todo("04.5");
 }
 
 Ray to_local(const Transform& transform, const Ray& ray) {
-    // 04.5  Origin as a point, direction as a vector, both by the inverse; time stays. Do not
-    // make the direction a unit vector: then t is the same number in both spaces.
+    // 04.5  The ray in local space, at the same time; t must mean the same point in both spaces.
     return todo("04.5");
+}
+
+std::optional<Mat4> nearest_rotation(const Mat4& m) {
+    // 04.7  The rotation that is left of the linear part when its stretch is taken away. The
+    // translation stays. Nothing where there is no inverse.
+    return todo("04.7");
 }
 
 Surface to_world(const Transform& transform, const Surface& local) {

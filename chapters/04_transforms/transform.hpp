@@ -50,6 +50,12 @@ Vec3 transform_normal(const Mat4& inverse, const Vec3& n);
 /// means the same point in both spaces.
 Ray to_local(const Transform& transform, const Ray& ray);
 
+/// [04.7] The rotation nearest to the linear part of `m`, or the rotation with a reflection if `m` reflects:
+/// the orthogonal factor R of L = R·S, where S is symmetric and stretches (Higham 1986). The translation is
+/// that of `m`. Nothing if `m` has no inverse. Asked of matrices that stretch by factors from 2^-20 to 2^20;
+/// right to some roundings where they are near 1.
+std::optional<Mat4> nearest_rotation(const Mat4& m);
+
 /// A surface from the local space of `transform` to world space: point and unit normals, and an error bound
 /// that also covers the way back, which the next ray takes. Given.
 Surface to_world(const Transform& transform, const Surface& local);

@@ -7,6 +7,7 @@
 #include "common/math/exact.hpp"
 #include "common/render/scan_convert.hpp"
 #include "references/03_triangles/knot.hpp"
+#include "references/panels.hpp"
 #include "tests/stability/naive.hpp"
 #include "tests/stability/triangles.hpp"
 
@@ -133,27 +134,21 @@ using Test = std::optional<Hit> (*)(const Triangle&, const Ray&, Interval);
 
 /// Two triangles with a common edge, through a microscope: one pixel across is less than the spacing of the
 /// numbers that the rays are made of. Blue and orange: one triangle hit; purple: both; white: a leak.
-Image leak(const std::vector<Test>& tests) {
+Image leak(Test test) {
     const Vec3 a(-0.71, -0.33, 0.2), b(0.82, 0.57, -0.4), c(-0.4, 0.9, 0.1), d(0.6, -0.8, 0.3),
         eye(0.3, 0.2, 3);
     const Triangle upper{a, b, c}, lower{b, a, d};
-    const int width = 113, height = 40, gap = 4, zoom = 3;  // samples, each a square of zoom × zoom pixels
-    const int panels = static_cast<int>(tests.size());
-    Image image = make_image((panels * (width + gap) - gap) * zoom, height * zoom);
-    for (Vec3& p : image.pixels) p = Vec3(1);
-    for (int panel = 0; panel < panels; ++panel)
-        for (int y = 0; y < height * zoom; ++y)
-            for (int x = 0; x < width * zoom; ++x) {
-                const Vec3 on_edge = a + (0.45 + 1e-15 * (x / zoom)) * (b - a);
-                const Vec3 target = on_edge + Vec3(0, (height / 2 - y / zoom) * 0x1p-55, 0);
-                const Ray ray{eye, target - eye};
-                const Test test = tests[static_cast<std::size_t>(panel)];
-                const bool up = test(upper, ray, Interval{}).has_value();
-                const bool low = test(lower, ray, Interval{}).has_value();
-                if (!up && !low) continue;
-                const Vec3 blue(0, 0.17, 0.45), orange(0.79, 0.35, 0), purple(0.6, 0.18, 0.39);
-                pixel(image, panel * (width + gap) * zoom + x, y) = up && low ? purple : up ? blue : orange;
-            }
+    Image image = make_image(113, 40);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Vec3 on_edge = a + (0.45 + 1e-15 * x) * (b - a);
+            const Vec3 target = on_edge + Vec3(0, (image.height / 2 - y) * 0x1p-55, 0);
+            const Ray ray{eye, target - eye};
+            const bool up = test(upper, ray, Interval{}).has_value();
+            const bool low = test(lower, ray, Interval{}).has_value();
+            const Vec3 blue(0, 0.17, 0.45), orange(0.79, 0.35, 0), purple(0.6, 0.18, 0.39);
+            pixel(image, x, y) = up && low ? purple : up ? blue : low ? orange : Vec3(1);
+        }
     return image;
 }
 
@@ -188,14 +183,15 @@ std::vector<Triangle> triangles_of(const Mesh& mesh) {
 /// A knot by a ray caster that makes a mistake: `accept` says which hits count, `nearer` whether a new hit
 /// takes the place of the one before it, `weigh` the weights at which normals are interpolated.
 struct Mistaken {
+    const char* words;
     bool (*accept)(const Vec3& flat_normal, const Ray& ray);
     bool (*nearer)(const Hit& hit, const Hit& before);
     Vec2 (*weigh)(const Vec2& uv);
 };
 
-/// A row of pictures, one a mistake, on white.
-Image row_of_mistakes(const std::vector<Mistaken>& mistakes) {
-    const int width = 116, height = 110, gap = 6;
+/// A picture a mistake.
+std::vector<figures::Panel> panels_of(const std::vector<Mistaken>& mistakes) {
+    const int width = 186, height = 176;
     const Mesh mesh = knot(60, 10);
     const std::vector<Triangle> triangles = triangles_of(mesh);
     const Camera camera{.eye = {1.5, -4.5, 8.5}, .look_at = {0, -0.1, 0}, .up = {0, 1, 0}};
@@ -204,21 +200,21 @@ Image row_of_mistakes(const std::vector<Mistaken>& mistakes) {
                     .half_height = std::tan(radians(21)),
                     .width = width,
                     .height = height};
-    Image image = make_image(static_cast<int>(mistakes.size()) * (width + gap) - gap, height);
-    for (Vec3& p : image.pixels) p = Vec3(1);
-    for (std::size_t m = 0; m < mistakes.size(); ++m)
+    std::vector<figures::Panel> panels;
+    for (const Mistaken& mistake : mistakes) {
+        panels.push_back({make_image(width, height), mistake.words});
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 const Ray ray = pixel_ray(view, x + 0.5, y + 0.5);
                 std::optional<Hit> best;
                 for (std::size_t i = 0; i < triangles.size(); ++i) {
                     std::optional<Hit> hit = intersect(triangles[i], ray, Interval{});
-                    if (!hit || !mistakes[m].accept(unit_normal(triangles[i]), ray)) continue;
-                    if (best && !mistakes[m].nearer(*hit, *best)) continue;
+                    if (!hit || !mistake.accept(unit_normal(triangles[i]), ray)) continue;
+                    if (best && !mistake.nearer(*hit, *best)) continue;
                     hit->primitive = static_cast<std::uint32_t>(i);
                     best = hit;
                 }
-                Vec3& p = pixel(image, static_cast<int>(m) * (width + gap) + x, y);
+                Vec3& p = pixel(panels.back().image, x, y);
                 p = Vec3(0.02, 0.02, 0.03);
                 if (!best) continue;
                 const auto normal = [&](std::size_t corner) {
@@ -226,23 +222,54 @@ Image row_of_mistakes(const std::vector<Mistaken>& mistakes) {
                         .normals[static_cast<std::size_t>(mesh.triangles[best->primitive][corner].normal)];
                 };
                 const Vec3 n = interpolate(TriangleNormals{normal(0), normal(1), normal(2)},
-                                           mistakes[m].weigh(best->uv), Vec3(0, 0, 1));
+                                           mistake.weigh(best->uv), Vec3(0, 0, 1));
                 p = 0.5 * ((glm::dot(n, ray.direction) > 0 ? -n : n) + Vec3(1));
             }
-    return image;
+    }
+    return panels;
 }
 
-Image mistakes() {
+Svg mistakes() {
     const auto any = [](const Vec3&, const Ray&) { return true; };
     const auto back = [](const Vec3& n, const Ray& ray) { return glm::dot(n, ray.direction) > 0; };
     const auto first = [](const Hit& hit, const Hit& before) { return hit.t < before.t; };
     const auto last = [](const Hit&, const Hit&) { return true; };
     const auto as_they_are = [](const Vec2& uv) { return uv; };
     const auto exchanged = [](const Vec2& uv) { return Vec2(uv.y, uv.x); };
-    return row_of_mistakes({{any, first, as_they_are},
-                            {any, first, exchanged},
-                            {back, first, as_they_are},
-                            {any, last, as_they_are}});
+    return figures::side_by_side(panels_of({{"right", any, first, as_they_are},
+                                            {"swapped weights", any, first, exchanged},
+                                            {"backs only", back, first, as_they_are},
+                                            {"last hit", any, last, as_they_are}}),
+                                 4);
+}
+
+/// Crossings where both ends of an edge count.
+bool in_polygon_by_both_ends(std::span<const Vec2> polygon, const Vec2& point) {
+    bool inside = false;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2& p = polygon[i];
+        const Vec2& q = polygon[(i + 1) % polygon.size()];
+        if (point.y < std::min(p.y, q.y) || point.y > std::max(p.y, q.y) || p.y == q.y) continue;
+        if (p.x + (point.y - p.y) / (q.y - p.y) * (q.x - p.x) > point.x) inside = !inside;
+    }
+    return inside;
+}
+
+/// An outline filled pixel by pixel; all its corners are at the height of a row of pixels.
+Svg corners() {
+    const std::vector<Vec2> outline{{4, 22},  {14, 4},  {26, 12}, {39, 2},  {60, 18}, {52, 26},
+                                    {61, 40}, {44, 34}, {34, 43}, {24, 30}, {13, 38}};
+    const auto filled = [&](bool (*inside)(std::span<const Vec2>, const Vec2&)) {
+        Image image = make_image(64, 46);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                pixel(image, x, y) =
+                    inside(outline, Vec2(x, y)) ? Vec3(0.9, 0.85, 0.7) : Vec3(0.03, 0.04, 0.08);
+        return image;
+    };
+    return figures::side_by_side(
+        {{filled(point_in_polygon), "lower ends only"}, {filled(in_polygon_by_both_ends), "both ends"}}, 2,
+        5);
 }
 
 // --------------------------------------------------------------------------------------- measurements
@@ -327,14 +354,21 @@ std::string two_digits(double x) {
     return fmt::format("{}", std::stod(fmt::format("{:.6f}", std::round(x / unit) * unit)));
 }
 
+/// As the lesson writes it: "1,200 triangles".
+std::string triangles_in(const Measured& knot) {
+    const std::size_t count = knot.world.primitives.size();
+    return count < 1000 ? fmt::format("{} triangles", count)
+                        : fmt::format("{},{:03} triangles", count / 1000, count % 1000);
+}
+
 /// Finding what each pixel sees, both ways, on one thread.
 std::string scan_conversion(const std::vector<Measured>& knots) {
-    std::string csv = "triangles,width,height,ray_casting_ms,scan_conversion_ms\n";
+    std::string csv = "triangles and pixels,\"ray casting, ms\",\"scan conversion, ms\"\n";
     for (const Measured& knot : knots) {
         std::size_t seen = 0;
         const double scanned = median_seconds(9, [&] { seen += scan_convert(knot.world).size(); });
         if (seen > 0)
-            csv += fmt::format("{},{},{},{},{}\n", knot.world.primitives.size(), knot.width, knot.height,
+            csv += fmt::format("\"{}, {}×{} pixels\",{},{}\n", triangles_in(knot), knot.width, knot.height,
                                two_digits(1e3 * (knot.cast.camera + knot.cast.intersections)),
                                two_digits(1e3 * scanned));
     }
@@ -343,11 +377,12 @@ std::string scan_conversion(const std::vector<Measured>& knots) {
 
 /// Where the time of ray casting goes.
 std::string profile(const std::vector<Measured>& knots) {
-    std::string csv = "scene,primitives,camera_percent,intersections_percent,shading_percent,total_ms\n";
+    std::string csv =
+        "scene,\"camera, percent\",\"intersections, percent\",\"shading, percent\",\"total, ms\"\n";
     for (const Measured& knot : knots) {
         const double total = knot.cast.camera + knot.cast.intersections + knot.cast.shading;
-        csv += fmt::format("{},{},{:.2f},{:.2f},{:.2f},{}\n", knot.along == 0 ? "spheres" : "knot",
-                           knot.world.primitives.size(), 100 * knot.cast.camera / total,
+        csv += fmt::format("\"{}\",{:.2f},{:.2f},{:.2f},{}\n",
+                           knot.along == 0 ? "6 spheres" : triangles_in(knot), 100 * knot.cast.camera / total,
                            100 * knot.cast.intersections / total, 100 * knot.cast.shading / total,
                            two_digits(1e3 * total));
     }
@@ -362,19 +397,19 @@ std::optional<Hit> without_filter(const stability::TriangleCase& item) {
     const ShearedRay ray = shear(item.ray);
     const auto& [triangle, unused] = item;
     const Vec3 a = seen(ray, triangle.a), b = seen(ray, triangle.b), c = seen(ray, triangle.c);
-    const Real u = edge_function(Vec2(c), Vec2(b)), v = edge_function(Vec2(a), Vec2(c)),
-               w = edge_function(Vec2(b), Vec2(a));
-    if (std::min({u, v, w}) < 0 && std::max({u, v, w}) > 0) return std::nullopt;
-    const Real sum = u + v + w;
-    if (sum == 0) return std::nullopt;
-    const Real t = (u * a.z + v * b.z + w * c.z) / sum / item.ray.direction[ray.z];
-    if (!contains({}, t)) return std::nullopt;
-    return Hit{.t = t, .uv = {v / sum, w / sum}};
+    const Real e_a = edge_function(Vec2(c), Vec2(b)), e_b = edge_function(Vec2(a), Vec2(c)),
+               e_c = edge_function(Vec2(b), Vec2(a));
+    if (std::min({e_a, e_b, e_c}) < 0 && std::max({e_a, e_b, e_c}) > 0) return std::nullopt;
+    if (e_a + e_b + e_c == 0) return std::nullopt;
+    return hit_of_seen(ray, a, b, c, {});
 }
+
+constexpr std::size_t decided = 100'000, needles = 10'000;
+constexpr int rays_at_edges = 20'000;
 
 /// Wrong decisions, without filter and fallback and with them.
 std::string decisions() {
-    constexpr std::size_t count = 100'000;
+    constexpr std::size_t count = decided;
     std::string csv = "cases,count,wrong_without,wrong\n";
     for (const stability::TriangleFamily& family : stability::triangle_families()) {
         const auto cases = family.make(count, 3);
@@ -396,11 +431,11 @@ std::string decisions() {
                              judge(cases, exact).mismatches);
 }
 
-/// How far the normal of 10,000 needles is off at most, in radians: the product of the unit edges from the
+/// How far the normals of many needles are off at most, in radians: the product of the unit edges from the
 /// tip, from a blunt corner, and the chapter's.
 std::string normals_of_needles() {
     Real tip = 0, blunt = 0, chapter = 0;
-    for (const stability::TriangleCase& item : stability::needles(10'000, 3)) {
+    for (const stability::TriangleCase& item : stability::needles(needles, 3)) {
         const auto& [a, b, c] = item.triangle;
         const Vec3 right = unit_vector(exact_normal(std::array{a, b, c}));
         const Vec3 from_a = unit_vector(cross(unit_vector(b - a), unit_vector(c - a)));
@@ -409,26 +444,34 @@ std::string normals_of_needles() {
         worst = std::max(worst, length(from_a - right));
         chapter = std::max(chapter, length(unit_normal(item.triangle) - right));
     }
-    return fmt::format("from_the_tip,from_a_blunt_corner,chapter\n{:.2g},{:.2g},{:.2g}\n", tip, blunt,
-                       chapter);
+    return fmt::format(
+        "normal of a needle,\"off by, in radians\"\nfrom the edges at the tip,{:.2g}\nfrom the edges at a "
+        "blunt "
+        "corner,{:.2g}\nby this chapter,{:.2g}\n",
+        tip, blunt, chapter);
 }
 
 void draw_all(const figures::Path& out) {
     write_svg(out / "inside_tests.svg", inside_tests());
     write_svg(out / "shear.svg", shear_figure());
-    write_image(out / "leak.png", leak({naive::intersect, rt::intersect}), Encoding::Srgb);
-    write_image(out / "mistakes.png", mistakes(), Encoding::Srgb);
+    write_svg(out / "corners.svg", corners());
+    write_svg(out / "leak.svg",
+              figures::side_by_side(
+                  {{leak(naive::intersect), "Möller–Trumbore"}, {leak(rt::intersect), "watertight"}}, 2, 3));
+    write_svg(out / "mistakes.svg", mistakes());
 
     const Mesh mesh = knot(60, 10);
     const std::vector<Triangle> triangles = triangles_of(mesh);
-    const int rays = 20000;
     write_file(out / "escaped_rays.csv",
-               fmt::format("test,rays,escaped\nMöller–Trumbore,{0},{1}\nwatertight,{0},{2}\n", rays,
-                           escaped(naive::intersect, mesh, triangles, rays),
-                           escaped(rt::intersect, mesh, triangles, rays)));
+               fmt::format("test,rays,escaped\nMöller–Trumbore,{0},{1}\nwatertight,{0},{2}\n", rays_at_edges,
+                           escaped(naive::intersect, mesh, triangles, rays_at_edges),
+                           escaped(rt::intersect, mesh, triangles, rays_at_edges)));
 
     write_file(out / "decisions.csv", decisions());
     write_file(out / "normals_of_needles.csv", normals_of_needles());
+    write_file(out / "numbers.csv",
+               fmt::format("name,value\nneedles,{}\nrays at edges of the knot,{}\ndecisions,{}\n", needles,
+                           rays_at_edges, decided));
 
     figures::draw_scenes(out, __FILE__, {"flat", "smooth", "polygon", "mixed", "uv"});
     const Measured spheres{0, 0, 160, 120}, small{15, 10, 160, 120}, middling{60, 10, 160, 120};

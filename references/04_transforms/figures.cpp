@@ -5,6 +5,7 @@
 #include "chapters/04_transforms/instance.hpp"
 #include "chapters/04_transforms/transform.hpp"
 #include "common/render/explain.hpp"
+#include "references/panels.hpp"
 #include "tests/stability/naive.hpp"
 #include "tests/stability/transforms.hpp"
 #include "tests/support.hpp"
@@ -63,7 +64,7 @@ Svg rotation_figure() {
     text(svg, at(from) + Vec2(-20, 8), "v", colored(svg_color::blue));
     text(svg, at(to) + Vec2(6, 18), "turned v", colored(svg_color::red));
     text(svg, at(from + pi / 2) + Vec2(12, 4), "k × v", colored("#a8598a"));
-    text(svg, center + Vec2(14, 42), "angle", {.size = 13, .italic = true});
+    text(svg, center + Vec2(16, 42), "θ", {.size = 16, .italic = true});
     dot_at(svg, o, svg_color::ink);
 
     // The same, seen from the tip of k.
@@ -78,13 +79,13 @@ Svg rotation_figure() {
     const Vec2 foot(c.x + r * std::cos(angle), c.y);
     line(svg, foot, flat_at(angle), {.stroke = svg_color::purple, .width = 2, .dash = "5 4"});
     arc(svg, c, 34, 0, angle, stroke(svg_color::grey, 1.5));
-    text(svg, {c.x, 24}, "seen against k", {.size = 15, .anchor = "middle", .bold = true});
-    text(svg, {c.x + 34, c.y + 22}, "cos", middle);
-    text(svg, {foot.x + 8, c.y - 36}, "sin", {.size = 14});
+    text(svg, {c.x, 24}, "seen from the tip of k", {.size = 15, .anchor = "middle", .bold = true});
+    text(svg, {c.x + 34, c.y + 22}, "cos θ", middle);
+    text(svg, {foot.x + 8, c.y - 36}, "sin θ", {.size = 14});
     text(svg, {c.x + 76, c.y + 42}, "v − (k·v) k",
          {.size = 14, .color = "#a06c00", .anchor = "middle", .italic = true});
     text(svg, flat_at(pi / 2) + Vec2(-46, -4), "k × v", {.size = 14, .color = "#a8598a", .italic = true});
-    text(svg, {560, 300}, "turned = cos · orange + sin · purple", middle);
+    text(svg, {540, 306}, "turned: cos θ · (v − (k·v) k) + sin θ · (k × v)", middle);
     return svg;
 }
 
@@ -95,7 +96,7 @@ Svg stack_figure() {
     const char* lines[] = {"translate 0 2 0", "sphere ...",        "pushTransform", "  rotate 0 0 1 30",
                            "  sphere ...",    "  translate 1 0 0", "  sphere ...",  "popTransform",
                            "scale 2 1 1",     "sphere ..."};
-    const char* nodes[] = {"T", "T", "", "TR", "TR", "TRM", "TRM", "", "TS", "TS"};
+    const char* nodes[] = {"T", "T", "", "T R", "T R", "T R T′", "T R T′", "", "T S", "T S"};
     for (int i = 0; i < 10; ++i) {
         const Real y = 34 + 26 * i;
         const bool is_step =
@@ -115,7 +116,7 @@ Svg stack_figure() {
     const std::array<Node, 5> tree{{{{330, 150}, "I", "", -1},
                                     {{420, 150}, "translate", "T", 0},
                                     {{520, 85}, "rotate", "T R", 1},
-                                    {{630, 85}, "translate", "T R M", 2},
+                                    {{630, 85}, "translate", "T R T′", 2},
                                     {{520, 215}, "scale", "T S", 1}}};
     for (const Node& node : tree)
         if (node.parent >= 0) {
@@ -256,66 +257,85 @@ Vec3 look(const std::vector<Ellipsoid>& shapes, const Ray& ray, Fault fault) {
     return color;
 }
 
-Image faults() {
+Svg faults() {
     const std::vector<Ellipsoid> shapes = still_life();
-    const int width = 200, height = 130, gap = 6;
-    const std::array looks{Fault::None, Fault::NormalsByMatrix, Fault::Renormalised};
-    Image image = make_image(3 * (width + gap) - gap, height);
-    for (Vec3& p : image.pixels) p = Vec3(1);
-    for (int i = 0; i < 3; ++i)
+    const int width = 240, height = 156;
+    std::vector<figures::Panel> panels;
+    const std::pair<Fault, const char*> looks[] = {{Fault::None, "right"},
+                                                   {Fault::NormalsByMatrix, "normals by M"},
+                                                   {Fault::Renormalised, "unit vector"}};
+    for (const auto& [fault, words] : looks) {
+        Image image = make_image(width, height);
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 const Vec3 from(5.6 * ((x + 0.5) / width - 0.5), 5.6 * (height / 2 - y - 0.5) / width, 10);
-                pixel(image, i * (width + gap) + x, y) =
-                    look(shapes, {from, {0, 0, -1}}, looks[static_cast<std::size_t>(i)]);
+                pixel(image, x, y) = look(shapes, {from, {0, 0, -1}}, fault);
             }
-    return image;
+        panels.push_back({image, words});
+    }
+    return figures::side_by_side(panels, 3);
 }
 
 // ------------------------------------------------------------------------------------------- roundings
 
 /// The greatest element of |MᵀM − I|, which is 0 for a rotation.
-Real off_rotation(const Mat4& m) {
-    const Mat3 product = glm::transpose(Mat3(m)) * Mat3(m);
+Real off_rotation(const Mat3& m) {
+    const Mat3 product = glm::transpose(m) * m;
     Real greatest = 0;
     for (int c = 0; c < 3; ++c)
         for (int r = 0; r < 3; ++r) greatest = std::max(greatest, std::abs(product[c][r] - (r == c ? 1 : 0)));
     return greatest;
 }
 
-/// How far products of many rotations are from a rotation; mean over some chains.
+/// How far products of many rotations are from a rotation, by the greatest element of |MᵀM − I|; mean over
+/// some chains.
 std::string drift() {
-    std::string csv = "rotations,greatest element of |MtM - I|\n";
+    std::string csv = "rotations,double precision,single precision\n";
     constexpr int chains = 50, longest = 1'000'000;
     for (int length = 1; length <= longest; length *= 10) {
         test::Random random(4);
-        Real sum = 0;
+        Real sum = 0, in_single = 0;
         const int count = length > 100'000 ? 5 : chains;
         for (int i = 0; i < count; ++i) {
             const std::array<Mat4, 3> steps{rotation(random.direction(), random.uniform(-pi, pi)),
                                             rotation(random.direction(), random.uniform(-pi, pi)),
                                             rotation(random.direction(), random.uniform(-pi, pi))};
-            Mat4 m(1);
-            for (int k = 0; k < length; ++k) m = m * steps[static_cast<std::size_t>(k % 3)];
+            const std::array<glm::mat3, 3> rough{glm::mat3(steps[0]), glm::mat3(steps[1]),
+                                                 glm::mat3(steps[2])};
+            Mat3 m(1);
+            glm::mat3 single(1);
+            for (int k = 0; k < length; ++k) {
+                const auto turn = static_cast<std::size_t>(k % 3);
+                m = m * Mat3(steps[turn]);
+                single = single * rough[turn];
+            }
             sum += off_rotation(m);
+            in_single += off_rotation(Mat3(single));
         }
-        csv += fmt::format("{},{:.0e}\n", length, sum / count);
+        csv += fmt::format("{},{:.0e},{:.0e}\n", length, sum / count, in_single / count);
     }
     return csv;
 }
 
-/// How many inverses and hits with ellipsoids of the extreme families are wrong, by both methods.
-std::string families() {
-    constexpr std::size_t count = 5000;
-    std::string csv = "question,family,cases,wrong (textbook),wrong (chapter)\n";
+constexpr std::size_t count = 5000;
+const std::string head_of_families = "family,cases,wrong (textbook),wrong (chapter)\n";
+
+/// How many inverses of the extreme families are wrong, by both methods.
+std::string inverses() {
+    std::string csv = head_of_families;
     for (const stability::MatrixFamily& family : stability::matrix_families()) {
         const std::vector<Mat4> cases = family.make(count, 4);
         std::vector<std::optional<Mat4>> naive, stable;
         for (const Mat4& m : cases) naive.push_back(naive::inverse(m)), stable.push_back(inverse(m));
-        csv += fmt::format("inverse,\"{}\",{},{},{}\n", family.name, count,
-                           stability::judge(cases, naive).mismatches,
+        csv += fmt::format("\"{}\",{},{},{}\n", family.name, count, stability::judge(cases, naive).mismatches,
                            stability::judge(cases, stable).mismatches);
     }
+    return csv;
+}
+
+/// How many hits with ellipsoids of the extreme families are.
+std::string hits() {
+    std::string csv = head_of_families;
     for (const stability::EllipsoidFamily& family : stability::ellipsoid_families()) {
         const std::vector<stability::EllipsoidCase> cases = family.make(count, 4);
         std::vector<std::optional<Hit>> naive, stable;
@@ -324,8 +344,7 @@ std::string families() {
                 naive::intersect(Sphere{Vec3(0), 1}, naive::to_local(ellipsoid.transform, ray), {}));
             stable.push_back(intersect(ellipsoid, ray, {}));
         }
-        csv += fmt::format("hit,\"{}\",{},{},{}\n", family.name, count,
-                           stability::judge(cases, naive).mismatches,
+        csv += fmt::format("\"{}\",{},{},{}\n", family.name, count, stability::judge(cases, naive).mismatches,
                            stability::judge(cases, stable).mismatches);
     }
     return csv;
@@ -336,6 +355,7 @@ std::string families() {
 Scene forest_scene(std::size_t trees) {
     Scene scene = parse_scene(fs::path(__FILE__).parent_path() / "forest.scene");
     scene.objects.resize(std::min(trees, scene.objects.size()));
+    scene.accelerator = AcceleratorChoice::None;  // chapter 9 is not there yet
     scene.width = 40;
     scene.height = 30;
     return scene;
@@ -350,27 +370,48 @@ Scene without_instances(Scene scene) {
     return scene;
 }
 
+/// Memory in megabytes, as `course explain` counts it.
+std::string memory(const Scene& scene) {
+    return fmt::format("{:.2f}", static_cast<double>(explain(scene, compile(scene)).bytes) / 1e6);
+}
+
+/// What trees cost in memory, as instances of one and baked.
 std::string forest() {
-    std::string csv =
-        "trees,triangles,megabytes (instances),megabytes (baked),seconds (instances),seconds (baked)\n";
+    std::string csv = "trees,triangles,megabytes (instances),megabytes (baked)\n";
     for (const std::size_t trees : {2u, 8u, 32u, 128u, 1024u}) {
         const Scene scene = forest_scene(trees);
-        const World world = compile(scene);
-        const double seconds = render(world, {.threads = 1, .progress = {}}).cpu_seconds;
-        std::string baked_bytes, baked_seconds;
-        if (trees <= 128) {
-            const Scene own = without_instances(scene);
-            const World baked = compile(own);
-            baked_bytes = fmt::format("{:.2f}", static_cast<double>(explain(own, baked).bytes) / 1e6);
-            if (trees <= 32)
-                baked_seconds =
-                    fmt::format("{:.2f}", render(baked, {.threads = 1, .progress = {}}).cpu_seconds);
-        }
-        csv += fmt::format(
-            "{},{},{:.2f},{},{:.2f},{}\n", trees, trees * world.meshes.front()->triangles.shapes.size(),
-            static_cast<double>(explain(scene, world).bytes) / 1e6, baked_bytes, seconds, baked_seconds);
+        csv += fmt::format("{},{},{},{}\n", trees,
+                           trees * compile(scene).meshes.front()->triangles.shapes.size(), memory(scene),
+                           trees <= 128 ? memory(without_instances(scene)) : "");
     }
     return csv;
+}
+
+/// What they cost in time, when every ray asks every tree.
+std::string forest_times() {
+    const auto seconds = [](const Scene& scene) {
+        return fmt::format("{:.2f}", render(compile(scene), {.threads = 1, .progress = {}}).cpu_seconds);
+    };
+    std::string csv = "trees,seconds (instances),seconds (baked)\n";
+    for (const std::size_t trees : {2u, 8u, 32u, 128u, 1024u}) {
+        const Scene scene = forest_scene(trees);
+        csv += fmt::format("{},{},{}\n", trees, seconds(scene),
+                           trees <= 32 ? seconds(without_instances(scene)) : "");
+    }
+    return csv;
+}
+
+/// Numbers that the lesson says in passing.
+std::string numbers() {
+    const Scene whole = parse_scene(fs::path(__FILE__).parent_path() / "forest.scene");
+    const World world = compile(whole);
+    const std::size_t triangles = world.meshes.front()->triangles.shapes.size();
+    return fmt::format(
+        "name,value\n\"bytes of the forest, by course explain\",{}\ntrees,{}\ntriangles of a "
+        "tree,{}\n\"bytes of "
+        "all its triangles, written out\",{}\ncosine of 90 degrees,{:.1e}\n",
+        explain(whole, world).bytes, whole.objects.size(), triangles,
+        whole.objects.size() * triangles * sizeof(Triangle), std::cos(radians(90)));
 }
 
 void draw_all(const figures::Path& out) {
@@ -378,10 +419,13 @@ void draw_all(const figures::Path& out) {
     write_svg(out / "stack.svg", stack_figure());
     write_svg(out / "normals.svg", normals_figure());
     write_svg(out / "spaces.svg", spaces_figure());
-    write_image(out / "faults.png", faults());
+    write_svg(out / "faults.svg", faults());
     write_file(out / "drift.csv", drift());
-    write_file(out / "families.csv", families());
-    write_file(out / "measured_forest.csv", forest());
+    write_file(out / "inverses.csv", inverses());
+    write_file(out / "hits.csv", hits());
+    write_file(out / "forest.csv", forest());
+    write_file(out / "measured_forest.csv", forest_times());
+    write_file(out / "numbers.csv", numbers());
     figures::draw_scenes(out, __FILE__, {"ellipsoids", "stack", "axes", "instanced", "forest"}, 240, 180);
 }
 

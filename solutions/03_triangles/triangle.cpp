@@ -21,12 +21,9 @@ Vec3 unit_vector(const Vec3& v) {
 }
 
 Vec3 unit_normal(const Triangle& triangle) {
-    // [exercise 03.3] The unit normal: the cross product of two edges. The products at the three corners,
-    // ab × bc, bc × ca and ca × ab, are all the same but for rounding, and best is the one at the corner with
-    // the greatest angle, which lies opposite to the longest edge. Make the edges unit vectors before you
-    // multiply them (unit_vector is given): their product then neither overflows nor underflows, and its
-    // length is the sine of the angle between them. Where that is at most ¼, rounding weighs too much: return
-    // the unit vector of exact_normal, which is given and slow.
+    // [exercise 03.3] The unit normal of the triangle: right for edges of any length (unit_vector is given),
+    // and from the corner where rounding matters least. Where the triangle is so flat that the sine there is
+    // at most ¼, return the unit vector of exact_normal, which is given and slow.
     const Vec3 ab = triangle.b - triangle.a;
     const Vec3 bc = triangle.c - triangle.b;
     const Vec3 ca = triangle.a - triangle.c;
@@ -45,9 +42,8 @@ Vec3 unit_normal(const Triangle& triangle) {
 }
 
 std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point) {
-    // [exercise 03.3] The weights of the corners. The weight of a corner is the area of the triangle that
-    // the point spans with the other two corners, over the area of the whole. Areas have a sign:
-    // take the component of the cross product along the unit normal.
+    // [exercise 03.3] The weights of the corners a, b and c, with a sign: on the far side of the edge
+    // opposite to a corner its weight is negative. A triangle without area has none.
     const Vec3 normal = unit_normal(triangle);
     const Vec3 to_b = triangle.b - triangle.a;
     const Vec3 to_c = triangle.c - triangle.a;
@@ -62,8 +58,8 @@ std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point) {
 }
 
 ShearedRay shear(const Ray& ray) {
-    // [exercise 03.4] Let z be the axis in which |direction| is greatest, x and y the next two in cyclic
-    // order, and divide the direction's x and y by its z.
+    // [exercise 03.4] The ray with its axes renamed: z is the one along which it goes fastest, x and y are
+    // the next two in cyclic order. And its slope along the new x and y.
     const Vec3& d = ray.direction;
     const Vec3 size = abs(d);
     const int z = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -74,8 +70,8 @@ ShearedRay shear(const Ray& ray) {
 }
 
 Vec3 seen(const ShearedRay& ray, const Vec3& point) {
-    // [exercise 03.4] Subtract the ray's origin from the point, coordinate by coordinate: x, y and z are
-    // those with the numbers ray.x, ray.y and ray.z. Then shear: x − slope.x·z, y − slope.y·z and z.
+    // [exercise 03.4] The point as the ray sees it: measured from the ray's origin, its coordinates renamed
+    // (x is number ray.x), and sheared so that all points of the ray have x = y = 0.
     const Real* p = glm::value_ptr(point);  // faster than point[ray.x] where the compiler can't know ray.x
     const Real* o = glm::value_ptr(ray.ray.origin);
     const Real z = p[ray.z] - o[ray.z];
@@ -84,28 +80,26 @@ Vec3 seen(const ShearedRay& ray, const Vec3& point) {
 }
 
 Real edge_function(const Vec2& p, const Vec2& q) {
-    // [exercise 03.5] p.x·q.y − p.y·q.x, nearly as if without rounding. Where the two products nearly cancel,
-    // what their rounding took away decides: std::fma(x, y, -xy) is exactly x·y − xy, where xy is the rounded
-    // product. Take it into account for both products, so that (q, p) gets the opposite of (p, q).
-    const Real ab = p.x * q.y;
-    const Real cd = p.y * q.x;
-    return (ab - cd) + (std::fma(p.x, q.y, -ab) - std::fma(p.y, q.x, -cd));
+    // [exercise 03.5] p.x·q.y − p.y·q.x, nearly as if without rounding: where the two products nearly cancel,
+    // what their rounding took away decides. For (q, p) it must be the exact opposite.
+    const Real xy = p.x * q.y;
+    const Real yx = p.y * q.x;
+    return (xy - yx) + (std::fma(p.x, q.y, -xy) - std::fma(p.y, q.x, -yx));
     // [/exercise]
 }
 
 std::optional<Hit> hit_of_seen(const ShearedRay& ray, const Vec3& a, const Vec3& b, const Vec3& c,
                                Interval range) {
-    // [exercise 03.6] The ray is at x = y = 0. The edge functions of x and y of (c, b), (a, c) and (b, a) are
-    // the weights u, v, w of a, b and c, still to be divided by their sum: each edge weighs the corner
-    // opposite to it. The weighted mean of the corners' z, over the z of the direction (its coordinate number
-    // ray.z), is t. Is it in the range?
-    const Real u = edge_function(Vec2(c), Vec2(b));
-    const Real v = edge_function(Vec2(a), Vec2(c));
-    const Real w = edge_function(Vec2(b), Vec2(a));
-    const Real sum = u + v + w;
-    const Real t = (u * a.z + v * b.z + w * c.z) / sum / ray.ray.direction[ray.z];
+    // [exercise 03.6] The ray is at x = y = 0, inside the triangle. From the edge functions follow the
+    // weights of the corners, and from those t, in units of the direction's length. Nothing if it is not in
+    // the range.
+    const Real e_a = edge_function(Vec2(c), Vec2(b));
+    const Real e_b = edge_function(Vec2(a), Vec2(c));
+    const Real e_c = edge_function(Vec2(b), Vec2(a));
+    const Real sum = e_a + e_b + e_c;
+    const Real t = (e_a * a.z + e_b * b.z + e_c * c.z) / sum / ray.ray.direction[ray.z];
     if (!contains(range, t)) return std::nullopt;
-    return Hit{.t = t, .uv = {v / sum, w / sum}};
+    return Hit{.t = t, .uv = {e_b / sum, e_c / sum}};
     // [/exercise]
 }
 
@@ -117,15 +111,13 @@ std::optional<Hit> intersect_exactly(const Triangle& triangle, const Ray& ray, I
 
 std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, Interval range) {
     // [exercise 03.7] The watertight test.
-    //   1. See the corners along the ray, which is now at x = y = 0. Let `size` be the greatest |x| or |y| of
-    //      the three, plus the greatest |z|: all errors grow with it. Where its square might overflow or
-    //      underflow (outside of 1e-140 to 1e140), leave it to intersect_exactly, which is given.
-    //   2. The places are off by less than 8u · size. Are all three x, or all three y, on the same side of 0
-    //      and further away than that? A miss.
-    //   3. The cross products p.x·q.y − p.y·q.x of (c, b), (a, c) and (b, a) tell on which side of each edge
-    //      the ray passes; they are off by less than 128u · size². One surely negative and one surely
-    //      positive: a miss. Else, if one of them may be 0, let intersect_exactly decide.
-    //   4. Here the ray passes through the triangle: what is left is hit_of_seen (03.6).
+    //   1. See the corners along the ray. Let `size` be the greatest |x| or |y| of the three, plus the
+    //      greatest |z|. Outside of 1e-140 to 1e140 its square might leave the range of Real: leave such
+    //      triangles to intersect_exactly, which is given.
+    //   2. x and y are off by less than 8u · size. A triangle that surely lies to one side is missed.
+    //   3. The plain p.x·q.y − p.y·q.x of the edges are off by less than 128u · size². A miss where they are
+    //      surely of both signs; where one is too close to 0 to know, intersect_exactly decides.
+    //   4. Else a sure hit, which hit_of_seen (03.6) finds.
     const Vec3 a = seen(ray, triangle.a);
     const Vec3 b = seen(ray, triangle.b);
     const Vec3 c = seen(ray, triangle.c);
@@ -157,8 +149,8 @@ std::optional<Hit> intersect(const Triangle& triangle, const Ray& ray, Interval 
 Surface surface_at(const Triangle& triangle, const Ray&, const Hit& hit) {
     const Real weight_a = 1 - hit.uv.x - hit.uv.y;
     Surface surface;
-    // [exercise 03.8] Fill in point (the weighted sum of the corners: it lies better on the triangle than
-    // origin + t · direction does), normal, shading_normal (the same) and uv.
+    // [exercise 03.8] Fill in point (by the weights, not by t), normal, shading_normal and uv, all of the
+    // flat triangle.
     surface.point = weight_a * triangle.a + hit.uv.x * triangle.b + hit.uv.y * triangle.c;
     surface.normal = unit_normal(triangle);
     surface.shading_normal = surface.normal;
@@ -178,21 +170,21 @@ Surface surface_at(const Triangle& triangle, const Ray&, const Hit& hit) {
 }
 
 Vec3 interpolate(const TriangleNormals& normals, const Vec2& uv, const Vec3& flat) {
-    // [exercise 03.8] The weighted sum of the three normals, made a unit vector; `flat` if it is zero.
+    // [exercise 03.8] The unit normal between those of the corners; `flat` where they cancel.
     const Vec3 sum = (1 - uv.x - uv.y) * normals.a + uv.x * normals.b + uv.y * normals.c;
     return sum == Vec3(0) ? flat : unit_vector(sum);
     // [/exercise]
 }
 
 Vec2 interpolate(const TriangleUvs& uvs, const Vec2& uv) {
-    // [exercise 03.8] The weighted sum of the three texture coordinates.
+    // [exercise 03.8] The texture coordinates between those of the corners.
     return (1 - uv.x - uv.y) * uvs.a + uv.x * uvs.b + uv.y * uvs.c;
     // [/exercise]
 }
 
 std::optional<Hit> closest_hit(std::span<const Triangle> triangles, const Ray& ray, Interval range) {
-    // [exercise 03.9] The nearest hit; shear the ray once, not once a triangle. Shrinking the range as hits
-    // are found saves work, but it includes its end: an equally near triangle that comes later must not win.
+    // [exercise 03.9] The nearest hit with any of the triangles, of equally near ones the first. What depends
+    // on the ray alone is worked out once, not once a triangle.
     const ShearedRay sheared = shear(ray);
     std::optional<Hit> nearest;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -207,11 +199,31 @@ std::optional<Hit> closest_hit(std::span<const Triangle> triangles, const Ray& r
 }
 
 bool any_hit(std::span<const Triangle> triangles, const Ray& ray, Interval range) {
-    // [exercise 03.9] Whether there is a hit at all; the first one found is enough.
+    // [exercise 03.9] Whether any triangle is hit; the first one found is enough.
     const ShearedRay sheared = shear(ray);
     return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& triangle) {
         return intersect(triangle, sheared, range).has_value();
     });
+    // [/exercise]
+}
+
+Real solid_angle(const Triangle& triangle, const Vec3& from) {
+    // [exercise 03.11] How much of the view the triangle fills, seen from the point: the area of its shadow
+    // on the unit sphere around it. Positive where the point sees the triangle's back.
+    const Vec3 a = unit_vector(triangle.a - from);
+    const Vec3 b = unit_vector(triangle.b - from);
+    const Vec3 c = unit_vector(triangle.c - from);
+    const Real volume = dot(a, cross(b, c));
+    return 2 * std::atan2(volume, 1 + dot(a, b) + dot(b, c) + dot(c, a));
+    // [/exercise]
+}
+
+Real winding_number(std::span<const Triangle> triangles, const Vec3& point) {
+    // [exercise 03.11] How often the triangles go round the point: all that they fill of its view, over the
+    // whole view.
+    Real sum = 0;
+    for (const Triangle& triangle : triangles) sum += solid_angle(triangle, point);
+    return sum / (4 * pi);
     // [/exercise]
 }
 

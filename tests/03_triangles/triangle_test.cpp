@@ -1,4 +1,5 @@
-// Steps 03.3 to 03.9: normal and weights, the watertight test, the surface, the nearest of many.
+// Steps 03.3 to 03.9 and 03.11: normal and weights, the watertight test, the surface, the nearest of many,
+// and winding numbers.
 #include "chapters/03_triangles/triangle.hpp"
 #include "common/math/error.hpp"
 #include "tests/03_triangles/show.hpp"
@@ -195,6 +196,30 @@ TEST_CASE("a triangle without area has no weights", "[03.3]") {
 
 // ---------------------------------------------------------------------------------------------- 03.4
 
+namespace {
+
+// The example that the lesson works out by hand: a ray, a triangle, and where the ray sees its corners.
+const Ray by_hand{{1, 1, 1}, {2, 1, 4}};
+const Triangle by_hand_triangle{{4, 2, 9}, {8, 3, 13}, {3, 3, 5}};
+const Triangle by_hand_seen{{-1, -1, 8}, {1, -1, 12}, {0, 1, 4}};
+
+}  // namespace
+
+TEST_CASE("by hand: the ray from (1, 1, 1) along (2, 1, 4) sees the lesson's corners", "[03.4]") {
+    const ShearedRay sheared = shear(by_hand);
+    {
+        INFO("the " << by_hand << ": its slope along x and along y");
+        CHECK(test::near(sheared.slope, {0.5, 0.25}, 0));
+    }
+    const auto check = [&](const Vec3& corner, const Vec3& expected) {
+        INFO("where the corner " << corner << " is seen along the " << by_hand);
+        CHECK(test::near(seen(sheared, corner), expected, 0));
+    };
+    check(by_hand_triangle.a, by_hand_seen.a);
+    check(by_hand_triangle.b, by_hand_seen.b);
+    check(by_hand_triangle.c, by_hand_seen.c);
+}
+
 TEST_CASE("z is the axis along which a ray goes fastest, and x and y follow it round", "[03.4]") {
     const auto check = [](const Vec3& direction, int z, const Vec2& slope) {
         const ShearedRay ray = shear({{1, 2, 3}, direction});
@@ -281,6 +306,20 @@ TEST_CASE("exchanging the ends of an edge changes the sign and nothing else", "[
 
 // ---------------------------------------------------------------------------------------------- 03.6
 
+TEST_CASE("by hand: seen at (-1, -1), (1, -1) and (0, 1), the corners weigh 1/4, 1/4 and 1/2", "[03.6]") {
+    const auto& [a, b, c] = by_hand_seen;
+    const ShearedRay ray{.ray = by_hand, .slope = {0.5, 0.25}};
+    INFO("the " << by_hand << " sees the corners at a = " << a << ", b = " << b << " and c = " << c);
+    const std::optional<Hit> hit = hit_of_seen(ray, a, b, c, {});
+    REQUIRE(hit);
+    {
+        INFO("t: the depth of the point, 7, over the direction's z, which is 4");
+        CHECK(test::near(hit->t, 1.75, 0));
+    }
+    INFO("uv, the weights of b and c");
+    CHECK(test::near(hit->uv, {0.25, 0.5}, 0));
+}
+
 TEST_CASE("where a ray hits, by the corners that it sees", "[03.6]") {
     // The edge functions are −1 for a, −1 for b and −2 for c: weights of a quarter, a quarter and a half.
     const Vec3 a(-1, -1, 6), b(1, -1, 10), c(0, 1, 4);
@@ -343,6 +382,10 @@ TEST_CASE("a hit out of the range is none", "[03.6]") {
 }
 
 // ---------------------------------------------------------------------------------------------- 03.7
+
+TEST_CASE("by hand: the ray from (1, 1, 1) along (2, 1, 4) hits the lesson's triangle at t = 7/4", "[03.7]") {
+    check_hit_at(by_hand_triangle, by_hand, 1.75, {0.25, 0.5});
+}
 
 TEST_CASE("a ray down onto the triangle hits it at its height, weights by head", "[03.7]") {
     check_hit_at(right_angled, {{1, 2, 5}, {0, 0, -1}}, 5, {0.25, 0.5});
@@ -720,5 +763,114 @@ TEST_CASE("closest_hit says to the bit what asking each triangle says", "[03.9]"
         if (expected) REQUIRE(actual->uv == expected->uv);
         INFO("whether any_hit finds something");
         REQUIRE(any_hit(triangles, ray, Interval{}) == expected.has_value());
+    }
+}
+
+// --------------------------------------------------------------------------------------------- 03.11
+
+namespace {
+
+/// A regular tetrahedron around the origin, its faces counterclockwise from outside.
+const std::vector<Triangle> tetrahedron = {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}},
+                                           {{1, 1, 1}, {-1, -1, 1}, {1, -1, -1}},
+                                           {{1, 1, 1}, {-1, 1, -1}, {-1, -1, 1}},
+                                           {{-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}}};
+
+/// The sides of the cube from −1 to 1, two triangles each, counterclockwise from outside; the last is its
+/// lid.
+std::vector<Triangle> cube() {
+    std::vector<Triangle> triangles;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const Real way : {-1.0, 1.0}) {
+            const auto corner = [&](Real x, Real y) {
+                Vec3 p(way);
+                p[(axis + 1) % 3] = x * way;
+                p[(axis + 2) % 3] = y;
+                return p;
+            };
+            triangles.push_back({corner(-1, -1), corner(1, -1), corner(1, 1)});
+            triangles.push_back({corner(-1, -1), corner(1, 1), corner(-1, 1)});
+        }
+    return triangles;
+}
+
+// Some roundings of a sum of a few angles.
+constexpr Real few_roundings = 64 * unit_roundoff;
+
+void check_angle(const Triangle& triangle, const Vec3& from, Real expected, Real within = few_roundings) {
+    INFO(triangle << ", seen from " << from << ": the solid angle");
+    CHECK(test::near(solid_angle(triangle, from), expected, within));
+}
+
+void check_winding(const std::vector<Triangle>& triangles, const Vec3& point, Real expected) {
+    INFO("how often the triangles go round the point " << point);
+    CHECK(test::near(winding_number(triangles, point), expected, few_roundings));
+}
+
+}  // namespace
+
+TEST_CASE("a triangle between the axes fills an eighth of the view from the origin", "[03.11]") {
+    check_angle({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, pi / 2);
+    check_angle({{4, 2, 3}, {1, 7, 3}, {1, 2, 5}}, {1, 2, 3}, pi / 2);
+}
+
+TEST_CASE("a triangle that shows its front has a negative solid angle", "[03.11]") {
+    check_angle({{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}, {0, 0, 0}, -pi / 2);
+}
+
+TEST_CASE("a large triangle close by fills half of the view", "[03.11]") {
+    const Real far = 0x1p40;
+    check_angle({{2 * far, 0, -1}, {-far, 2 * far, -1}, {-far, -2 * far, -1}}, {0, 0, 0}, -2 * pi, 1e-9);
+}
+
+TEST_CASE("a face of a tetrahedron fills a quarter of the view from its centre", "[03.11]") {
+    for (const Triangle& face : tetrahedron) check_angle(face, {0, 0, 0}, pi);
+}
+
+TEST_CASE("tiny and huge triangles have the solid angle of ordinary ones", "[03.11]") {
+    const Triangle octant{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const Real size : {1e-200, 1e-20, 1e20, 1e200}) {
+        INFO("size " << size);
+        check_angle(scaled(octant, size), {0, 0, 0}, pi / 2);
+    }
+}
+
+TEST_CASE("a triangle seen edge-on fills nothing", "[03.11]") {
+    check_angle({{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {0, 0, 0}, 0);
+}
+
+TEST_CASE("a closed cube goes round a point inside once, and round one outside not at all", "[03.11]") {
+    check_winding(cube(), {0, 0, 0}, 1);
+    check_winding(cube(), {0.5, -0.25, 0.75}, 1);
+    check_winding(cube(), {3, 0.5, -0.25}, 0);
+}
+
+TEST_CASE("a cube without its lid goes round its centre five sixths of once", "[03.11]") {
+    std::vector<Triangle> box = cube();
+    box.resize(10);
+    check_winding(box, {0, 0, 0}, 5.0 / 6);
+}
+
+TEST_CASE("a cube that is turned inside out goes round its inside once backwards", "[03.11]") {
+    std::vector<Triangle> inside_out = cube();
+    for (Triangle& triangle : inside_out) std::swap(triangle.b, triangle.c);
+    check_winding(inside_out, {0.5, 0.25, 0}, -1);
+}
+
+TEST_CASE("no triangles go round nothing", "[03.11]") { check_winding({}, {1, 2, 3}, 0); }
+
+TEST_CASE("a tetrahedron goes round the points that are inside of all its faces", "[03.11]") {
+    Random random(45);
+    for (int i = 0; i < cases(2000); ++i) {
+        const Vec3 point = 2.0 * random.in_cube();
+        // On which side of the nearest face the point is; close to it rounding is larger.
+        Real inside = infinity;
+        for (const Triangle& face : tetrahedron)
+            inside = std::min(inside, dot(unit_normal(face), face.a - point));
+        if (std::abs(inside) < 1e-3) continue;
+        INFO("the point " << point << ", " << std::abs(inside)
+                          << (inside > 0 ? " inside of the nearest face" : " outside of a face")
+                          << ": how often the tetrahedron goes round it");
+        CHECK(test::near(winding_number(tetrahedron, point), inside > 0 ? 1 : 0, 1e-9));
     }
 }

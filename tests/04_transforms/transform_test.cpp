@@ -1,5 +1,5 @@
-// Steps 04.1 to 04.5: matrices, their stack and inverse, and what they do to points, vectors, normals and
-// rays.
+// Steps 04.1 to 04.5 and 04.7: matrices, their stack and inverse, what they do to points, vectors, normals
+// and rays, and the rotation in a matrix.
 #include "chapters/04_transforms/transform.hpp"
 #include "common/math/error.hpp"
 #include "tests/04_transforms/show.hpp"
@@ -197,11 +197,6 @@ TEST_CASE("turning back undoes a rotation", "[04.2]") {
 
 // ------------------------------------------------------------------------------------------ 04.3 compose
 
-TEST_CASE("no nodes have no matrices", "[04.3]") {
-    INFO("how many matrices there are of no nodes");
-    CHECK(compose({}).size() == 0);
-}
-
 namespace {
 
 /// One matrix a node.
@@ -214,7 +209,8 @@ std::vector<Mat4> matrices(const std::vector<TransformNode>& nodes) {
 
 }  // namespace
 
-TEST_CASE("the last step that was written acts first", "[04.3]") {
+TEST_CASE("by hand: translate 10 0 0, then scale 2 2 2: the last step that was written acts first",
+          "[04.3]") {
     // translate 10 0 0, then scale 2 2 2: a point is scaled, then moved.
     const std::vector<TransformNode> nodes{{-1, Translate{{10, 0, 0}}, {}}, {0, Scale{{2, 2, 2}}, {}}};
     const std::vector<Mat4> m = matrices(nodes);
@@ -223,11 +219,16 @@ TEST_CASE("the last step that was written acts first", "[04.3]") {
     check_matrix(m[1], rows({2, 0, 0, 10}, {0, 2, 0, 0}, {0, 0, 2, 0}));
 }
 
-TEST_CASE("the other order gives another matrix", "[04.3]") {
+TEST_CASE("by hand: scale 2 2 2, then translate 10 0 0: the other order gives another matrix", "[04.3]") {
     const std::vector<TransformNode> nodes{{-1, Scale{{2, 2, 2}}, {}}, {0, Translate{{10, 0, 0}}, {}}};
     const std::vector<Mat4> m = matrices(nodes);
     INFO("scale 2 2 2, then translate 10 0 0: the matrix after both");
     check_matrix(m[1], rows({2, 0, 0, 20}, {0, 2, 0, 0}, {0, 0, 2, 0}));
+}
+
+TEST_CASE("no nodes have no matrices", "[04.3]") {
+    INFO("how many matrices there are of no nodes");
+    CHECK(compose({}).size() == 0);
 }
 
 TEST_CASE("nodes with the same parent do not touch each other", "[04.3]") {
@@ -513,4 +514,89 @@ TEST_CASE("normals have length 1 however large or small the map is", "[04.5]") {
         CHECK(test::near(length(world.normal), 1, gamma(4)));
         CHECK(test::near(length(world.shading_normal), 1, gamma(4)));
     }
+}
+
+// ---------------------------------------------------------------------------------- 04.7 nearest rotation
+
+namespace {
+
+void check_nearest(const Mat4& m, const Mat4& expected) {
+    INFO("the rotation nearest to" << m);
+    const std::optional<Mat4> result = nearest_rotation(m);
+    REQUIRE(result);
+    check_matrix(*result, expected, 2 * few_roundings);
+}
+
+}  // namespace
+
+TEST_CASE("in the shear from (x, y) to (x + y, y) is a turn by the angle whose tangent is -1/2", "[04.7]") {
+    const Real s = 1 / std::sqrt(Real(5));
+    check_nearest(rows({1, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}),
+                  rows({2 * s, s, 0, 0}, {-s, 2 * s, 0, 0}, {0, 0, 1, 0}));
+}
+
+TEST_CASE("a rotation is its own nearest one", "[04.7]") {
+    check_nearest(identity, identity);
+    const Mat4 turn = rotation({1, 2, -2}, 0.75);
+    check_nearest(turn, turn);
+}
+
+TEST_CASE("a stretch along the axes has no rotation in it", "[04.7]") {
+    check_nearest(scaling({2, 3, 4}), identity);
+    check_nearest(scaling({0x1p20, 1, 1}), identity);
+    check_nearest(scaling(Vec3(0x1p-20)), identity);
+}
+
+TEST_CASE("stretched, then turned: the turn is left", "[04.7]") {
+    const Mat4 turn = rotation({1, -1, 3}, 2);
+    check_nearest(turn * scaling({2, 3, 4}), turn);
+    check_nearest(turn * scaling({0.5, 8, 1}), turn);
+}
+
+TEST_CASE("the translation stays", "[04.7]") {
+    check_nearest(rows({2, 0, 0, 10}, {0, 2, 0, 20}, {0, 0, 2, 30}),
+                  rows({1, 0, 0, 10}, {0, 1, 0, 20}, {0, 0, 1, 30}));
+}
+
+TEST_CASE("a reflection stays a reflection", "[04.7]") {
+    check_nearest(scaling({-2, 3, 1}), scaling({-1, 1, 1}));
+}
+
+TEST_CASE("a flattened matrix has no nearest rotation", "[04.7]") {
+    INFO("the rotation nearest to a scaling by (1, 0, 1)");
+    CHECK_FALSE(nearest_rotation(scaling({1, 0, 1})));
+}
+
+TEST_CASE("what is left beside the nearest rotation is a symmetric stretch", "[04.7]") {
+    Random random(4701);
+    for (int i = 0; i < cases(1000); ++i) {
+        const Mat4 m = rotation(random.direction(), random.uniform(-4, 4)) *
+                       scaling({random.uniform(0.5, 2), random.uniform(0.5, 2), random.uniform(0.5, 2)}) *
+                       rotation(random.direction(), random.uniform(-4, 4));
+        INFO("the matrix" << m);
+        const std::optional<Mat4> turn = nearest_rotation(m);
+        REQUIRE(turn);
+        const Mat4 stretch = glm::transpose(*turn) * m;
+        {
+            INFO("the transpose of its nearest rotation, times that rotation");
+            check_matrix(glm::transpose(*turn) * *turn, identity, gamma(64));
+        }
+        INFO("the transpose of its nearest rotation, times the matrix; expected its own transpose");
+        check_matrix(stretch, glm::transpose(stretch), gamma(128));
+    }
+}
+
+TEST_CASE("a chain of rotations that has drifted is mended, and hardly moved", "[04.7]") {
+    Random random(4702);
+    Mat4 m(1);
+    for (int i = 0; i < 10'000; ++i) m = m * rotation(random.direction(), random.uniform(-4, 4));
+    const std::optional<Mat4> mended = nearest_rotation(m);
+    INFO("10,000 rotations one after the other" << m);
+    REQUIRE(mended);
+    {
+        INFO("how far the nearest rotation is from them");
+        CHECK(difference(*mended, m) <= gamma(16 * 10'000));
+    }
+    INFO("the transpose of the nearest rotation, times that rotation");
+    check_matrix(glm::transpose(*mended) * *mended, identity, gamma(64));
 }
