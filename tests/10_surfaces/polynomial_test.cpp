@@ -101,7 +101,7 @@ TEST_CASE("the root is not beyond the ends of the bracket", "[10.7]") {
     for (const Real high : {0.6, 0.7}) {
         const Real t = root_between(p, 0.5, high);
         INFO(p << " between 0.5 and " << test::show(high) << ": " << test::show(t));
-        CHECK(0.5 <= t);
+        CHECK(t >= 0.5);
         CHECK(t <= high);
     }
 }
@@ -153,7 +153,7 @@ TEST_CASE("no change of sign is found outside of the interval", "[10.8]") {
     const SignChanges changes = sign_changes(p, 0.5, 1.5311667705431196);
     INFO(p << " from 0.5 to 1.5311667705431196: " << changes);
     for (std::size_t i = 0; i < static_cast<std::size_t>(changes.count); ++i) {
-        CHECK(0.5 <= changes.t[i]);
+        CHECK(changes.t[i] >= 0.5);
         CHECK(changes.t[i] <= 1.5311667705431196);
     }
 }
