@@ -155,14 +155,16 @@ Svg light_points() {
             rim.push_back(in_sky(glm::normalize(at - from)));
         }
         polygon(svg, rim, {.stroke = grey, .fill = light});
-        line(svg, on_lamp(Vec3(-0.06, 0, 0)), on_lamp(Vec3(0.06, 0, 0)), {.stroke = red});
-        line(svg, on_lamp(Vec3(0, -0.06, 0)), on_lamp(Vec3(0, 0.06, 0)), {.stroke = red});
         for (std::uint32_t i = 0; i < 256; ++i) {
             const std::optional<LightDirection> found = direction_for(stratified_point(i, 256, 3));
             if (!found) continue;
             dot_at(svg, on_lamp(from + found->distance * found->direction), blue, 2);
             dot_at(svg, in_sky(found->direction), blue, 2);
         }
+        line(svg, on_lamp(Vec3(-0.1, 0, 0)), on_lamp(Vec3(0.1, 0, 0)), {.stroke = red, .width = 3});
+        line(svg, on_lamp(Vec3(0, -0.1, 0)), on_lamp(Vec3(0, 0.1, 0)), {.stroke = red, .width = 3});
+        text(svg, {left + 20, 217}, "on the lamp");
+        text(svg, {left + 20, 492}, "in the hemisphere");
     };
     panel(10, "by area", [&](const Vec2& random) { return seen_from(point_on(lamp, random), from); });
     panel(370, "by angle", [&](const Vec2& random) { return toward(lamp, from, random); });

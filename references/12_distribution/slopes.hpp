@@ -321,8 +321,8 @@ inline Svg curves(const Errors& errors) {
     text(svg, {14, 160}, "RMS error", upwards);
     Real x = 150;
     for (const std::size_t m : {0u, 1u, 2u, 4u}) {
-        text(svg, {x, 350}, method_names[m], colored(small, colors[m]));
-        x += 180;
+        text(svg, {x, 350}, method_names[m], {.size = 17, .color = colors[m]});
+        x += 190;
     }
     return svg;
 }
