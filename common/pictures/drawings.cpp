@@ -6,15 +6,24 @@
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/08_antialiasing/samples.hpp"
 #include "chapters/09_grids/walk.hpp"
+#include "chapters/12_distribution/area_light.hpp"
+#include "chapters/12_distribution/glossy.hpp"
+#include "chapters/12_distribution/lens.hpp"
+#include "chapters/12_distribution/motion.hpp"
+#include "chapters/12_distribution/rectangle_light.hpp"
 #include "chapters/12_distribution/samples.hpp"
 #include "chapters/12_distribution/sobol.hpp"
+#include "chapters/12_distribution/sphere_light.hpp"
+#include "chapters/12_distribution/triangle_light.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 
 namespace rt {
 namespace {
@@ -195,34 +204,109 @@ std::vector<DrawnPixel> coins(const Drawing& drawing) {
     });
 }
 
-/// The unit square with 64 points, y downwards as in a picture, and lines around its 64 squares.
-template <class Point>
-std::vector<DrawnPixel> points(const Drawing& drawing, const Point& point) {
+constexpr std::uint32_t dots_drawn = 256;
+
+/// Where the numbers 0 … count − 1 are placed, in the unit square with y downwards; lines at every 16 pixels,
+/// if they mean anything. Pixels may have no dot near, and numbers no place.
+template <class Place>
+std::vector<DrawnPixel> placed(const Drawing& drawing, std::uint32_t count, bool lined,
+                               const Place& place_of) {
+    const Vec2 size(drawing.width, drawing.height);
+    std::vector<std::optional<Vec2>> places;
+    for (std::uint32_t i = 0; i < count; ++i) places.push_back(place_of(i));
     std::vector<DrawnPixel> pixels;
     for (int y = 0; y < drawing.height; ++y)
         for (int x = 0; x < drawing.width; ++x) {
-            const Vec2 at = Vec2(x + 0.5, y + 0.5) / Vec2(drawing.width, drawing.height);
-            const bool on_line = x % 16 == 0 || y % 16 == 0;
-            DrawnPixel pixel{on_line ? lines : dark, "the place " + in_words(at), "no point"};
-            for (std::uint32_t i = 0; i < 64; ++i) {
-                const Vec2 p = point(i);
-                if (length(p - at) > 0.014) continue;
-                pixel.color = light;
-                pixel.answer = fmt::format("point {} of 64, at {}", i, in_words(p));
-            }
+            const Vec2 here(x + 0.5, y + 0.5);
+            const bool on_line = lined && (x % 16 == 0 || y % 16 == 0);
+            DrawnPixel pixel{on_line ? lines : dark, "the place " + in_words(here / size), "nothing"};
+            for (std::uint32_t i = 0; i < count; ++i)
+                if (places[i] && length(*places[i] * size - here) < 1.3)
+                    pixel = {light, pixel.place, fmt::format("number {} of {}", i, count)};
             pixels.push_back(pixel);
         }
     return pixels;
 }
 
 std::vector<DrawnPixel> stratified(const Drawing& drawing) {
-    return points(drawing, [](std::uint32_t i) { return stratified_point(i, 64, 5); });
+    return placed(drawing, 64, true,
+                  [](std::uint32_t i) { return std::optional(stratified_point(i, 64, 5)); });
 }
 std::vector<DrawnPixel> sequence(const Drawing& drawing) {
-    return points(drawing, [](std::uint32_t i) { return Vec2(sobol_bits(i, 0), sobol_bits(i, 1)) * 0x1p-32; });
+    return placed(drawing, 64, true, [](std::uint32_t i) {
+        return std::optional(Vec2(sobol_bits(i, 0), sobol_bits(i, 1)) * 0x1p-32);
+    });
 }
 std::vector<DrawnPixel> scrambled(const Drawing& drawing) {
-    return points(drawing, [](std::uint32_t i) { return sobol_point(i, 5); });
+    return placed(drawing, 64, true, [](std::uint32_t i) { return std::optional(sobol_point(i, 5)); });
+}
+
+/// 16 × 16 even points of the unit square.
+Vec2 even(std::uint32_t i) { return Vec2(i % 16 + 0.5, i / 16 + 0.5) / 16.0; }
+
+/// The disc on the left, and a pentagon on the right.
+std::vector<DrawnPixel> aperture(const Drawing& drawing) {
+    return placed(drawing, 2 * dots_drawn, false, [](std::uint32_t i) {
+        const bool is_disc = i < dots_drawn;
+        const Vec2 random = even(i % dots_drawn),
+                   p = is_disc ? disc_point(random) : polygon_point(5, pi / 2, random);
+        return std::optional(Vec2((is_disc ? 0.25 : 0.75) + 0.24 * p.x, 0.5 - 0.48 * p.y));
+    });
+}
+
+/// The time, to the right, at which a part of the light has come in, upwards.
+std::vector<DrawnPixel> shutter(const Drawing& drawing) {
+    return placed(drawing, dots_drawn, true, [](std::uint32_t i) {
+        const Real part = (i + 0.5) / dots_drawn;
+        return std::optional(Vec2(shutter_time({0.5, 0.25}, part), 1 - part));
+    });
+}
+
+/// A triangle and a disc, seen from the front.
+std::vector<DrawnPixel> on_lamps(const Drawing& drawing) {
+    return placed(drawing, 2 * dots_drawn, false, [](std::uint32_t i) {
+        const Vec2 random = even(i % dots_drawn);
+        const Vec3 p =
+            i < dots_drawn
+                ? point_on(TriangleLight{Vec3(0.03, 0.9, 0), Vec3(0.47, 0.9, 0), Vec3(0.2, 0.1, 0)}, random)
+                      .point
+                : point_on(DiscLight{Vec3(0, 0, 0), Vec3(0, 0, 1), 0.45}, random).point + Vec3(0.5, 0.5, 0);
+        return std::optional(i < dots_drawn ? Vec2(p) : Vec2(0.5 + p.x / 2, p.y));
+    });
+}
+
+/// Directions, z towards the viewer of the drawing, so that equal solid angles have equal areas.
+template <class Direction>
+std::vector<DrawnPixel> directions(const Drawing& drawing, const Direction& direction_for) {
+    return placed(drawing, dots_drawn, false, [&](std::uint32_t i) -> std::optional<Vec2> {
+        const std::optional<Vec3> d = direction_for(even(i));
+        if (!d || !(d->z > -1)) return std::nullopt;
+        return Vec2(0.5) + 0.49 / std::sqrt(1 + d->z) * Vec2(d->x, -d->y);
+    });
+}
+
+/// Directions to a light from the origin.
+template <class Light>
+std::vector<DrawnPixel> towards(const Drawing& drawing, const Light& lamp) {
+    return directions(drawing, [&](const Vec2& random) -> std::optional<Vec3> {
+        const std::optional<LightDirection> found = toward(lamp, Vec3(0), random);
+        return found ? std::optional(found->direction) : std::nullopt;
+    });
+}
+
+std::vector<DrawnPixel> to_sphere(const Drawing& drawing) {
+    return towards(drawing, SphereLight{Vec3(0.5, 0.3, 1.5), 1});
+}
+std::vector<DrawnPixel> to_triangle(const Drawing& drawing) {
+    return towards(drawing, TriangleLight{Vec3(-1, -0.8, 0.5), Vec3(0, 1.2, 0.6), Vec3(2, -0.5, 0.7)});
+}
+std::vector<DrawnPixel> to_rectangle(const Drawing& drawing) {
+    return towards(drawing, QuadLight{Vec3(-1, -0.8, 0.5), Vec3(3, 0, 0), Vec3(0, 1.6, 0)});
+}
+std::vector<DrawnPixel> lobe(const Drawing& drawing) {
+    return directions(drawing, [](const Vec2& random) {
+        return std::optional(around_axis(normalize(Vec3(0.5, 0.3, 1)), 20, random));
+    });
 }
 
 constexpr Drawing drawings[] = {
@@ -242,6 +326,13 @@ constexpr Drawing drawings[] = {
     {"sequence", 129, 129, sequence},
     {"coins", 32 * block, 24 * block, coins},
     {"scrambled", 129, 129, scrambled},
+    {"aperture", 256, 128, aperture},
+    {"shutter", 129, 129, shutter},
+    {"on_lamps", 256, 128, on_lamps},
+    {"to_sphere", 160, 160, to_sphere},
+    {"to_triangle", 160, 160, to_triangle},
+    {"to_rectangle", 160, 160, to_rectangle},
+    {"lobe", 160, 160, lobe},
 };
 
 }  // namespace

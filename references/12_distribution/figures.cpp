@@ -248,8 +248,8 @@ std::string facets() {
     return text;
 }
 
-/// Numbers in the texts: how well the slopes are known; degrees within which half of a lobe is; and what a sample
-/// counts that the ground draws in the highlight, if it is divided by the ground's density alone.
+/// Numbers in the texts: how well the slopes are known; degrees within which half of a lobe is; and what a
+/// sample counts that the ground draws in the highlight, if it is divided by the ground's density alone.
 std::string numbers(const slopes::Errors& errors) {
     Real widest = 0;
     for (const auto& of_method : errors)
@@ -375,10 +375,9 @@ void draw_all(const Path& out) {
     write_file(out / "facets.csv", facets());
     write_file(out / "numbers.csv", numbers(errors));
     write_costs(out);
-    draw_scenes(
-        out, __FILE__,
-        {"billiards", "soft_shadow", "lamps", "lanterns", "depth", "focus", "moving", "turning", "gloss",
-         "frosted"});
+    draw_scenes(out, __FILE__,
+                {"billiards", "soft_shadow", "lamps", "lanterns", "depth", "focus", "moving", "turning",
+                 "gloss", "frosted"});
     draw_with_gamma(out, {"analytic", "highlights", "direct"});
 }
 

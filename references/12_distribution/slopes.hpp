@@ -289,7 +289,8 @@ inline std::string lesson_table(const Errors& errors) {
         for (std::size_t m = 0; m < methods; ++m)
             text += fmt::format(",{:.2f}", slope_without(errors[m][f], batches));
         for (const std::size_t level : {1u, 4u})
-            for (std::size_t m = 0; m < methods; ++m) text += fmt::format(",{:.2g}", rms(errors[m][f], level));
+            for (std::size_t m = 0; m < methods; ++m)
+                text += fmt::format(",{:.2g}", rms(errors[m][f], level));
         text += '\n';
     }
     return text;

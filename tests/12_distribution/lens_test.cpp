@@ -412,9 +412,9 @@ Real tilted_bound(const View& view, Real radius, const FocusPlane& plane, const 
 void check_tilted(const View& view, Real radius, const FocusPlane& plane, const Vec2& at, const Vec2& on_lens,
                   const Vec3& origin, const Vec3& direction) {
     const Ray ray = tilted_lens_ray(view, radius, plane, at.x, at.y, on_lens);
-    INFO("a lens of radius " << radius << ", in focus the plane through " << plane.point << " with the normal "
-                             << plane.normal << ", the point " << at << " of the picture, on the lens at "
-                             << on_lens << ": origin, then direction");
+    INFO("a lens of radius " << radius << ", in focus the plane through " << plane.point
+                             << " with the normal " << plane.normal << ", the point " << at
+                             << " of the picture, on the lens at " << on_lens << ": origin, then direction");
     CHECK(near(ray.origin, origin, gamma(64) * (length(view.eye) + radius + 1)));
     CHECK(near(ray.direction, direction, tilted_bound(view, radius, plane, view.eye)));
 }
@@ -446,7 +446,8 @@ TEST_CASE("a lens that does not lean is that of lens_ray", "[12.24]") {
         View view = test::some_view(random, i % 2 == 0 ? Projection::Perspective : Projection::Orthographic);
         view.eye = random.in_cube();
         const Lens lens = round_lens(random.magnitude(-3, 0), random.magnitude(-1, 2));
-        const FocusPlane plane{view.eye - lens.distance * view.frame.w, random.magnitude(-3, 3) * view.frame.w};
+        const FocusPlane plane{view.eye - lens.distance * view.frame.w,
+                               random.magnitude(-3, 3) * view.frame.w};
         const Real x = random.uniform(0, view.width), y = random.uniform(0, view.height);
         const Vec2 on_lens = disc_point(random_pair(random));
         const Ray expected = lens_ray(view, lens, x, y, on_lens);
