@@ -121,8 +121,8 @@ std::optional<LobeSample> sample(const DiffuseGgx& ggx, const Vec3& to_viewer, c
     const Real slope = alpha_of(ggx) * std::sqrt(random.x / (1 - random.x)), phi = 2 * pi * random.y;
     const Vec3 h = normalize(Vec3(slope * std::cos(phi), slope * std::sin(phi), 1));
     const bool by_facet = random.z < highlight_part(ggx);
-    const Vec3 to_light = by_facet ? normalize(2 * dot(to_viewer, h) * h - to_viewer)
-                                   : cosine_direction(random.x, random.y);
+    const Vec3 to_light =
+        by_facet ? normalize(2 * dot(to_viewer, h) * h - to_viewer) : cosine_direction(random.x, random.y);
     const Real density = pdf(ggx, to_light, to_viewer);
     // 0 if either direction is below the surface.
     if (!(density > 0)) return std::nullopt;
