@@ -21,6 +21,7 @@
 #include "chapters/12_distribution/triangle_light.hpp"
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
@@ -308,8 +309,9 @@ std::vector<DrawnPixel> scrambled(const Drawing& drawing) {
     return placed(drawing, 64, true, [](std::uint32_t i) { return std::optional(sobol_point(i, 5)); });
 }
 
-/// 16 × 16 even points of the unit square.
-Vec2 even(std::uint32_t i) { return Vec2(i % 16 + 0.5, i / 16 + 0.5) / 16.0; }
+/// Points that fill the unit square evenly, and in no pattern that a map of it would draw: multiples of the
+/// powers of 1/p, where p³ = p + 1, without their whole parts (Roberts 2018).
+Vec2 even(std::uint32_t i) { return glm::fract((i + 0.5) * Vec2(0.7548776662466927, 0.5698402909980532)); }
 
 /// The disc on the left, and a pentagon on the right.
 std::vector<DrawnPixel> aperture(const Drawing& drawing) {
