@@ -59,6 +59,8 @@ TEST_CASE("a ray that meets one ball only, or none, misses the lens", "[02.6]") 
     check_beside({{10, 0, 6}, {-1, 0, 0}}, ahead);
     check_beside({{10, 0, -6}, {-1, 0, 0}}, ahead);
     check_beside({{10, 9, 0}, {-1, 0, 0}}, ahead);
+    // From inside of one, where roots of 0 for the other would be in the range.
+    check_beside({{1, 0, 6}, {1, 0, 0}}, {-100, infinity});
 }
 
 TEST_CASE("from inside of a lens one sees its far surface", "[02.6]") {
