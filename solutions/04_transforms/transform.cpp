@@ -182,9 +182,9 @@ std::optional<Mat4> nearest_rotation(const Mat4& m) {
     // translation stays. Nothing where there is no inverse.
     Mat3 x(m);
     for (int step = 0; step < 60; ++step) {
-        const std::optional<Mat4> back = inverse(Mat4(x));
-        if (!back) return std::nullopt;
-        x = 0.5 * (x + glm::transpose(Mat3(*back)));
+        const std::optional<Mat4> undone = inverse(Mat4(x));
+        if (!undone) return std::nullopt;
+        x = 0.5 * (x + glm::transpose(Mat3(*undone)));
     }
     Mat4 result(x);
     result[3] = m[3];
