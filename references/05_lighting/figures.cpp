@@ -3,7 +3,7 @@
 #include "references/figures.hpp"
 #include "chapters/05_lighting/lighting.hpp"
 #include "chapters/05_lighting/spot.hpp"
-#include "references/labels.hpp"
+#include "references/panels.hpp"
 
 #include <fmt/format.h>
 
@@ -213,55 +213,53 @@ void draw_attenuation(const Path& directory) {
 
 // Pictures ----------------------------------------------------------------------------------------------
 
-/// A scene as it is looked at, with words in it.
-Image shown(const char* name, const char* words) {
-    return labelled(render(compile(scene_beside(__FILE__, name))).image, words);
+/// A scene as it is looked at.
+Panel shown(const char* name, const char* words) {
+    return {render(compile(scene_beside(__FILE__, name))).image, words};
 }
 
 void draw_goals(const Path& directory) {
-    write_image(directory / "goals.png",
-                in_rows({shown("lambert", "the cosine law"), shown("highlights", "highlights"),
-                         shown("attenuation", "attenuation"), shown("smooth", "round or flat")},
-                        2));
+    write_svg(directory / "goals.svg",
+              side_by_side({shown("lambert", "the cosine law"), shown("highlights", "highlights"),
+                            shown("attenuation", "attenuation"), shown("smooth", "round and flat")},
+                           2));
 }
 
 /// Its two halves are two ways of making highlights.
 void draw_phong(const Path& directory) {
     const Image whole = render(compile(scene_beside(__FILE__, "phong"))).image;
-    std::vector<Image> halves;
+    std::vector<Panel> halves{{{}, "half vector"}, {{}, "reflection vector"}};
     for (int k = 0; k < 2; ++k) {
-        Image half = make_image(whole.width / 2, whole.height);
+        Image& half = halves[static_cast<std::size_t>(k)].image = make_image(whole.width / 2, whole.height);
         for (int y = 0; y < half.height; ++y)
             for (int x = 0; x < half.width; ++x) pixel(half, x, y) = pixel(whole, k * half.width + x, y);
-        halves.push_back(labelled(half, k == 0 ? "half vector" : "reflection"));
     }
-    write_image(directory / "phong.png", in_rows(halves, 2, 0));
+    write_svg(directory / "phong.svg", side_by_side(halves, 2));
 }
 
 /// The same light twice: encoded for the screen, and with its numbers written into the file as they are.
 void draw_encoding(const Path& directory) {
-    const Image light = render(compile(scene_beside(__FILE__, "encoding"))).image;
-    write_image(
-        directory / "encoding.png",
-        in_rows({labelled(as_displayed(light, Encoding::Srgb), "encoded"), labelled(light, "light as bytes")},
-                2),
-        Encoding::Linear);
+    const Image right = render(compile(scene_beside(__FILE__, "encoding"))).image;
+    Image wrong = right;
+    for (Vec3& p : wrong.pixels)
+        for (int i = 0; i < 3; ++i) p[i] = decode(p[i], Encoding::Srgb);
+    write_svg(directory / "encoding.svg", side_by_side({{right, "encoded"}, {wrong, "light as bytes"}}, 2));
 }
 
 /// What one pixel of the picture of mistakes shows.
 using Shade = std::function<Vec3(const Vec3& n, const Vec3& v)>;
 
-Image ball(const Shade& shade, const char* words) {
-    const int size = 170, above = 22;
-    Image image = make_image(size, size + above);
-    for (int y = 0; y < size + above; ++y)
+Panel ball(const Shade& shade, const std::string& words) {
+    const int size = 170;
+    Image image = make_image(size, size);
+    for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
-            const Real a = 2.2 * ((x + 0.5) / size - 0.5), b = -2.2 * ((y - above + 0.5) / size - 0.5);
+            const Real a = 2.2 * ((x + 0.5) / size - 0.5), b = -2.2 * ((y + 0.5) / size - 0.5);
             const Real square = a * a + b * b;
             const Vec3 n(a, b, std::sqrt(std::max(1 - square, 0.0)));
             pixel(image, x, y) = square < 1 ? shade(n, {0, 0, 1}) : Vec3(0.03);
         }
-    return labelled(image, words);
+    return {image, words};
 }
 
 void draw_mistakes(const Path& directory) {
@@ -298,14 +296,14 @@ void draw_mistakes(const Path& directory) {
         return lambert(n, l) > 0 ? diffuse + std::pow(std::max(dot(n, l + v), 0.0), 30.0) * paint.specular
                                  : diffuse;
     };
-    write_image(directory / "wrong_cosines.png",
-                in_rows({ball(sum(right), "right"), ball(sum(away), "l reversed"),
-                         ball(sum(not_clamped), "no max"), ball(sum(both_sides), "both sides")},
-                        4));
-    write_image(directory / "wrong_highlights.png",
-                in_rows({ball(sum(right), "right"), ball(sum(long_half), "h too long"),
-                         ball(sum(from_behind), "from behind")},
-                        3));
+    write_svg(directory / "wrong_cosines.svg",
+              side_by_side({ball(sum(right), "right"), ball(sum(away), "l reversed"),
+                            ball(sum(not_clamped), "no maximum"), ball(sum(both_sides), "both sides")},
+                           4));
+    write_svg(directory / "wrong_highlights.svg",
+              side_by_side({ball(sum(right), "right"), ball(sum(long_half), "h too long"),
+                            ball(sum(from_behind), "from behind")},
+                           3));
 }
 
 // What the numbers mean ---------------------------------------------------------------------------------
@@ -346,7 +344,7 @@ void draw_radiance(const Path& directory) {
 /// A wall, and a lamp with a shade close before it, with a hard edge and with a soft one.
 void draw_spot(const Path& directory) {
     const Vec3 lamp(-0.4, 0.6, 0.8), middle(0, 0.15, 0);
-    std::vector<Image> images;
+    std::vector<Panel> panels;
     for (const Real outer : {0.94, 0.84}) {
         const SpotLight light{{.position = lamp, .color = {1.6, 1.5, 1.2}, .attenuation = {0.5, 0, 1}},
                               normalize(middle - lamp),
@@ -359,9 +357,9 @@ void draw_spot(const Path& directory) {
                 const LightSample sample = sample_light(light, wall);
                 pixel(image, x, y) = Vec3(0.02) + sample.color * lambert({0, 0, 1}, sample.direction);
             }
-        images.push_back(labelled(image, outer < 0.94 ? "soft edge" : "hard edge"));
+        panels.push_back({image, outer < 0.94 ? "soft edge" : "hard edge"});
     }
-    write_image(directory / "spot.png", in_rows(images, 2));
+    write_svg(directory / "spot.svg", side_by_side(panels, 2));
 }
 
 /// How much of what arrives a highlight of weight 1 sends on, light coming in at an angle from the normal:
@@ -395,7 +393,7 @@ void write_energy(const Path& directory) {
 void draw_normalised(const Path& directory) {
     const Vec3 diffuse(0.06, 0.13, 0.28);
     const LightSample lamp{normalize(Vec3(-0.6, 0.7, 1)), 1, Vec3(1)};
-    std::vector<Image> images;
+    std::vector<Panel> panels;
     for (const bool normalised : {false, true})
         for (const Real s : {1.0, 8.0, 40.0, 400.0}) {
             Material paint;
@@ -406,17 +404,16 @@ void draw_normalised(const Path& directory) {
             const Shade shade = [=](const Vec3& n, const Vec3& v) {
                 return emitted_light(paint) + reflected_light(paint, n, v, lamp, Vec3(1));
             };
-            const std::string words = fmt::format("{}, s = {}", normalised ? "5 %" : "0.3", s);
-            images.push_back(ball(shade, words.c_str()));
+            panels.push_back(ball(shade, fmt::format("{}, s = {}", normalised ? "5 %" : "0.3", s)));
         }
-    write_image(directory / "normalised.png", in_rows(images, 4));
+    write_svg(directory / "normalised.svg", side_by_side(panels, 4));
 }
 
 Real luminance(const Vec3& c) { return dot(c, Vec3(0.2126, 0.7152, 0.0722)); }
 
-/// Three times the light of a scene: cut off at 1, exposed for a third of the time, and by a tone curve.
+/// Four times the light of a scene: cut off at 1, exposed for a quarter of the time, and by a tone curve.
 void draw_above_one(const Path& directory, std::string& numbers) {
-    Image bright = render(compile(scene_beside(__FILE__, "highlights"))).image;
+    Image bright = render(compile(scene_beside(__FILE__, "highlights", 224, 168))).image;
     int above = 0;
     for (Vec3& p : bright.pixels) {
         p *= 4;
@@ -425,10 +422,8 @@ void draw_above_one(const Path& directory, std::string& numbers) {
     Image exposed = bright, curved = bright;
     for (Vec3& p : exposed.pixels) p *= 0.25;
     for (Vec3& p : curved.pixels) p /= 1 + luminance(p);
-    write_image(directory / "above_one.png",
-                in_rows({labelled(bright, "cut off at 1"), labelled(exposed, "exposure 1/4"),
-                         labelled(curved, "tone curve")},
-                        3));
+    write_svg(directory / "above_one.svg",
+              side_by_side({{bright, "cut off at 1"}, {exposed, "exposure 1/4"}, {curved, "tone curve"}}, 3));
     numbers += fmt::format("percent of pixels above 1,{:.1f}\n",
                            100.0 * above / static_cast<double>(bright.pixels.size()));
 }

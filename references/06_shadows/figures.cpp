@@ -4,7 +4,7 @@
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/06_shadows/eclipse.hpp"
 #include "chapters/06_shadows/shadow.hpp"
-#include "references/labels.hpp"
+#include "references/panels.hpp"
 #include "tests/stability/shadows.hpp"
 
 #include <fmt/format.h>
@@ -142,39 +142,38 @@ void scale(Scene& scene, Real factor) {
         }
 }
 
-/// A scene as it is looked at, with words in it.
-Image shown(const char* name, const char* words) {
-    return labelled(render(compile(scene_beside(__FILE__, name))).image, words);
+/// A scene as it is looked at.
+Panel shown(const char* name, const char* words) {
+    return {render(compile(scene_beside(__FILE__, name))).image, words};
 }
 
 void draw_goals(const Path& directory) {
-    write_image(directory / "goals.png",
-                in_rows({shown("shadows", "two lamps"), shown("sun", "a low sun"),
-                         shown("colored", "coloured shadows"), shown("large_floor", "a floor 4000 wide")},
-                        2));
+    write_svg(directory / "goals.svg",
+              side_by_side({shown("shadows", "two lamps"), shown("sun", "a low sun"),
+                            shown("colored", "coloured shadows"), shown("large_floor", "a floor 4000 wide")},
+                           2));
 }
 
 void draw_acne(const Path& directory) {
     const World world = compile(scene_beside(__FILE__, "shadows", 320, 240));
-    write_image(directory / "acne.png",
-                in_rows({labelled(picture(world, naive::shadow_ray_without_offset), "no offset"),
-                         labelled(picture(world, shadow_ray), "offset")},
-                        2));
+    write_svg(directory / "acne.svg",
+              side_by_side({{picture(world, naive::shadow_ray_without_offset), "no offset"},
+                            {picture(world, shadow_ray), "offset"}},
+                           2));
 }
 
 /// A fixed epsilon of 1e-4 above, the derived offset below, in scenes of three sizes.
 void draw_scales(const Path& directory) {
-    std::vector<Image> images;
+    std::vector<Panel> panels;
     for (const Method method : {Method{naive::shadow_ray_with_epsilon}, Method{shadow_ray}})
-        for (const auto& [factor, size] :
-             {std::pair{2e-5, "size 2e-5"}, {1.0, "size 1"}, {1e12, "size 1e12"}}) {
-            Scene scene = scene_beside(__FILE__, "shadows", 220, 165);
+        for (const auto& [factor, size] : {std::pair{2e-5, "2·10⁻⁵"}, {1.0, "1"}, {1e12, "10¹²"}}) {
+            Scene scene = scene_beside(__FILE__, "shadows", 224, 168);
             scale(scene, factor);
-            images.push_back(
-                labelled(picture(compile(scene), method),
-                         (method == shadow_ray ? "offset, " : "eps 1e-4, ") + std::string(size)));
+            panels.push_back(
+                {picture(compile(scene), method),
+                 (method == shadow_ray ? "offset, size " : "ε = 10⁻⁴, size ") + std::string(size)});
         }
-    write_image(directory / "scales.png", in_rows(images, 3));
+    write_svg(directory / "scales.svg", side_by_side(panels, 3));
 }
 
 /// Counts of self hits and lost occluders by family and method.
@@ -279,9 +278,9 @@ ShadowRay onto_the_lamp(const Surface& surface, const LightSample& light) {
 
 void draw_ceiling(const Path& directory) {
     const World world = compile(parse_scene_text(room, "room.scene"));
-    write_image(directory / "ceiling.png", in_rows({labelled(picture(world, onto_the_lamp), "onto the lamp"),
-                                                    labelled(picture(world, shadow_ray), "just before it")},
-                                                   2));
+    write_svg(directory / "ceiling.svg", side_by_side({{picture(world, onto_the_lamp), "onto the lamp"},
+                                                       {picture(world, shadow_ray), "just before it"}},
+                                                      2));
 }
 
 // The shadow of a ball in the sun -----------------------------------------------------------------------
@@ -303,9 +302,8 @@ Image floor_in_the_sun(Real sun) {
 }
 
 void draw_eclipse(const Path& directory) {
-    write_image(
-        directory / "eclipse.png",
-        in_rows({labelled(floor_in_the_sun(1e-6), "a point"), labelled(floor_in_the_sun(0.2), "a disc")}, 2));
+    write_svg(directory / "eclipse.svg",
+              side_by_side({{floor_in_the_sun(1e-6), "a point"}, {floor_in_the_sun(0.2), "a disc"}}, 2));
 }
 
 void draw_all(const Path& directory) {
