@@ -789,7 +789,7 @@ void draw_adaptive(const Path& directory) {
 // What half the error costs -----------------------------------------------------------------------------
 
 /// How many samples a pixel a scene without filters or chance in its lights needs for two errors.
-void count_for_errors(const Path&) {
+void count_for_errors() {
     for (const Sampler sampler : {Sampler::Jittered, Sampler::Random}) {
         Scene scene = scene_beside(__FILE__, "aliased", 80, 60);
         scene.sampling.sampler = sampler;
@@ -911,7 +911,7 @@ void draw_all(const Path& directory) {
                 {"aliased", "random", "regular", "poisson", "trapezoid", "centered", "jittered", "filters"},
                 240, 180);
     draw_scenes(directory, __FILE__, {"adaptive"});
-    count_for_errors(directory);
+    count_for_errors();
     write_picture_errors(directory);
     write_file(directory / "numbers.csv", numbers());
     measure_costs(directory);

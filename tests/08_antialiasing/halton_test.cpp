@@ -24,7 +24,7 @@ void check_inverse(int index, int base, Real expected) {
 /// How many of the points lie in each of `columns` × `rows` equal parts of the square, moved back by `by`.
 std::vector<int> points_in(const std::vector<PixelSample>& samples, const Vec2& by, int columns, int rows) {
     std::vector<int> counts(static_cast<std::size_t>(columns * rows));
-    for (const PixelSample& sample : samples) {
+    for (const auto& sample : samples) {
         // A little to the right and down, because points lie on the edges of the parts.
         const Vec2 at = glm::fract(sample.at - by + Vec2(1e-9));
         const int column = static_cast<int>(at.x * columns), row = static_cast<int>(at.y * rows);
@@ -56,11 +56,11 @@ TEST_CASE("four of Halton's points are at their places, moved by one random poin
         Random random = random_for(1, which, 0);
         const std::vector<PixelSample> samples = halton_samples(4, random);
         REQUIRE(samples.size() == 4);
-        const Vec2 by = random_point(random);
+        const Vec2 shift = random_point(random);
         for (std::size_t i = 0; i < 4; ++i) {
-            INFO("point " << i << ", counted from 0, is at " << points[i] << "; moved by " << by
+            INFO("point " << i << ", counted from 0, is at " << points[i] << "; moved by " << shift
                           << " on the torus it is at " << samples[i].at);
-            CHECK(test::near(torus_distance(samples[i].at, glm::fract(points[i] + by)), 0, 8 * u));
+            CHECK(test::near(torus_distance(samples[i].at, glm::fract(points[i] + shift)), 0, 8 * u));
             INFO("what it weighs");
             CHECK(test::near(samples[i].weight, 0.25, 0));
         }
@@ -85,7 +85,7 @@ TEST_CASE("Halton's points lie in the pixel, and weigh the same", "[08.12]") {
         const std::vector<PixelSample> samples = halton_samples(count, random_for(3, 4, 5));
         INFO(count << " points");
         REQUIRE(samples.size() == static_cast<std::size_t>(count));
-        for (const PixelSample& sample : samples) {
+        for (const auto& sample : samples) {
             const bool inside = sample.at.x >= 0 && sample.at.x < 1 && sample.at.y >= 0 && sample.at.y < 1;
             INFO("a sample at " << sample.at << " that weighs " << sample.weight);
             REQUIRE(test::or_say(inside, "it lies outside of the pixel"));

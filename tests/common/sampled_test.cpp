@@ -203,7 +203,7 @@ TEST_CASE("the estimated error is the true one within a factor of 1.5", "[sample
 
 TEST_CASE("the pictures of chapter 8 are as wrong as they say, within a factor of 1.5", "[sampled]") {
     for (const char* name :
-         {"jittered", "regular", "poisson", "trapezoid", "centered", "filters", "adaptive"}) {
+         {"jittered", "random", "regular", "poisson", "trapezoid", "centered", "filters", "adaptive"}) {
         INFO(name);
         Scene scene =
             parse_scene(test::repository() + "/references/08_antialiasing/" + name + std::string(".scene"));
