@@ -82,7 +82,7 @@ std::vector<DrawnPixel> silhouette(const Drawing& drawing) {
 
 /// The ray along −z from each point, and a lens: one side reddish, the other bluish.
 std::vector<DrawnPixel> lens(const Drawing& drawing) {
-    const Sphere left(Vec3(-0.45, 0.1, -3), 0.75), right(Vec3(0.45, -0.1, -2.7), 0.75);
+    const Sphere left{Vec3(-0.45, 0.1, -3), 0.75}, right{Vec3(0.45, -0.1, -2.7), 0.75};
     return asked_everywhere(drawing, [&](const Vec2& p) -> DrawnPixel {
         const std::string place = fmt::format("the ray along -z from {}", in_words(p));
         const std::optional<Hit> hit =

@@ -61,8 +61,8 @@ TEST_CASE("a fisheye of 360 degrees looks back along the top edge", "[01.7]") {
 TEST_CASE("3 pixels to the right and 4 up is 5 from the middle, whatever the field", "[01.7]") {
     // Of half heights of 5 pixels that is one: the angle is half of the field.
     for (const Real degrees : {30.0, 90.0, 180.0, 250.0}) {
-        const Real out = std::sin(radians(degrees / 2)), ahead = std::cos(radians(degrees / 2));
-        check_direction(plain_view(12, 10), 9, 1, degrees, {0.6 * out, 0.8 * out, -ahead});
+        const Real across = std::sin(radians(degrees / 2)), along = std::cos(radians(degrees / 2));
+        check_direction(plain_view(12, 10), 9, 1, degrees, {0.6 * across, 0.8 * across, -along});
     }
 }
 
