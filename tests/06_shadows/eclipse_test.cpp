@@ -91,3 +91,25 @@ TEST_CASE("from one end of an eclipse to the other the answer is in [0, 1] and n
         }
     }
 }
+
+TEST_CASE("where the discs only just touch, rounding makes neither NaN nor more than all", "[06.5]") {
+    Random random(67);
+    for (int i = 0; i < cases(5'000); ++i) {
+        const Real sun = random.magnitude(-1, 1), moon = random.magnitude(-1, 1);
+        const Real outside = sun + moon, inside = std::abs(sun - moon);
+        const Real whole = std::min(Real(1), moon / sun * (moon / sun));
+        for (int steps = 1; steps <= 3; ++steps) {
+            const Real share = 1 - steps * 0x1p-52;
+            const auto check = [&](Real apart, Real part) {
+                INFO("a sun of radius " << sun << ", a moon of radius " << moon << ", their centres " << apart
+                                        << " apart: the part of the sun that is hidden, from 0 to 1");
+                const Real hidden = eclipsed(sun, moon, apart);
+                REQUIRE(hidden >= 0);
+                REQUIRE(hidden <= 1);
+                REQUIRE(near(hidden, part, 1e-4));
+            };
+            check(outside * share, 0);
+            check(inside / share, whole);
+        }
+    }
+}
