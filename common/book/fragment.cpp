@@ -113,7 +113,8 @@ Fragment fragment_of(const Project& project, const BookPage& page, const std::ve
 std::string searchable(const std::string& html) {
     std::string text;
     bool in_tag = false;
-    for (const char c : html) {
+    // Formulas stand there twice, the second time as LaTeX.
+    for (const char c : std::regex_replace(html, std::regex("<annotation[^]*?</annotation>"), "")) {
         if (c == '<') in_tag = true;
         if (!in_tag) text += c == '\n' ? ' ' : c;
         if (c == '>') in_tag = false;

@@ -18,6 +18,8 @@ function load(name) {
 // Only who searches waits for it.
 function prepare() {
   ready ??= Promise.all([load('lunr.min.js'), load('search_index.js')]).then(() => lunr(function () {
+    this.pipeline.remove(lunr.stemmer);  // beginnings of words are looked for
+    this.pipeline.remove(lunr.stopWordFilter);
     this.ref('number');
     this.field('title', {boost: 8});
     this.field('page', {boost: 3});
@@ -27,14 +29,12 @@ function prepare() {
   return ready;
 }
 
-// Every word must occur; the last one may be its beginning.
+// Every word, or one that begins with it, must occur.
 function matches(index, words) {
-  return index.query(q => words.forEach((word, i) => {
-    const presence = lunr.Query.presence.REQUIRED;
-    const last = i === words.length - 1;
-    q.term(lunr.tokenizer(word), {presence, wildcard: last ? lunr.Query.wildcard.TRAILING : lunr.Query.wildcard.NONE,
-                                  usePipeline: !last});
-  })).slice(0, 20);
+  const options = {
+    presence: lunr.Query.presence.REQUIRED, wildcard: lunr.Query.wildcard.TRAILING, usePipeline: false
+  };
+  return index.query(query => words.forEach(word => query.term(word, options))).slice(0, 20);
 }
 
 function excerpt(text, word) {

@@ -16,7 +16,7 @@ def summary():
 
 def check(name, what, expected):
     global passed, failed
-    good = expected(what) if callable(expected) else what == expected
+    good = bool(expected(what)) if callable(expected) else what == expected
     passed, failed = passed + good, failed + (not good)
     if not good:
         print(f"FAILED: {name}: {what!r}" + ("" if callable(expected) else f", expected {expected!r}"))
