@@ -107,9 +107,8 @@ Piece narrowed(const ImplicitLine& line, Piece piece) {
 }
 
 std::optional<LineCrossing> first_crossing(const ImplicitLine& line, Interval range) {
-    // 10.13  Walk along the stretches of the chord, {0, 1}, from left to right. Keep `before`, the
-    // last side that was certain, and `edge`, the λ up to which it was. Where the opposite side follows,
-    // there is a crossing: return it if it is in the range.
+    // 10.13  Return the first crossing of the chord, {0, 1}, that is in the range, or nothing.
+    // There is one wherever a certain side follows on the opposite one.
     return todo("10.13");
 }
 

@@ -10,14 +10,13 @@
 namespace rt {
 
 Real root_between(const Polynomial& p, Real low, Real high) {
-    // 10.7  Return the t at which p changes its sign between low and high. Keep it between two ends
-    // that close in on it; take Newton's step where that is safe, and go to the middle where it is not.
+    // 10.7  Return the t at which p changes its sign between low and high, to the last bits,
+    // however p bends on the way.
     return todo("10.7");
 }
 
 SignChanges sign_changes(const Polynomial& p, Real low, Real high) {
-    // 10.8  Return all changes of sign from low to high: find those of the derivative between its
-    // inflections, and with their help those of p.
+    // 10.8  Return all changes of sign from low to high, ascending, with none missed.
     return todo("10.8");
 }
 

@@ -314,7 +314,7 @@ Svg derivative_figure() {
 Svg parabola() {
     Svg svg{.width = 760, .height = 330, .body = {}};
     const Torus torus{{0, 0, 0}, {0, 1, 0}, 3, 1};
-    const Ray ray{{0, 0.1, 2.4}, normalize(Vec3(1, 0.16, 0))};
+    const Ray ray{{0, 0.1, 1.4}, normalize(Vec3(1, 0.16, 0))};
     const auto above = [](const Vec3& p) { return Vec2(190 + 38 * p.x, 160 + 38 * p.z); };
     const Vec2 middle_of_ring = above(Vec3(0));
     circle(svg, middle_of_ring, 4 * 38, {.stroke = ink, .width = 2, .fill = "#eef3f7"});

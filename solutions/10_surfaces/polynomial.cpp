@@ -9,8 +9,8 @@
 namespace rt {
 
 Real root_between(const Polynomial& p, Real low, Real high) {
-    // [exercise 10.7] Return the t at which p changes its sign between low and high. Keep it between two ends
-    // that close in on it; take Newton's step where that is safe, and go to the middle where it is not.
+    // [exercise 10.7] Return the t at which p changes its sign between low and high, to the last bits,
+    // however p bends on the way.
     const bool falls = evaluate(p, low).value > 0;
     Real t = low + 0.5 * (high - low), last = high - low;
     while (low < t && t < high) {
@@ -28,8 +28,7 @@ Real root_between(const Polynomial& p, Real low, Real high) {
 }
 
 SignChanges sign_changes(const Polynomial& p, Real low, Real high) {
-    // [exercise 10.8] Return all changes of sign from low to high: find those of the derivative between its
-    // inflections, and with their help those of p.
+    // [exercise 10.8] Return all changes of sign from low to high, ascending, with none missed.
     const Roots bends = inflections(p);
     std::array<Real, 6> places{low};
     std::size_t count = 1;

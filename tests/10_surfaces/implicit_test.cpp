@@ -282,7 +282,7 @@ TEST_CASE("where Newton's step leads beyond the piece, the rest of the piece is 
     check_narrowed("x^3+x/64-5/256", {0, 1}, 0.25, 0x1p-46);
 }
 
-TEST_CASE("a piece that also has a bottom is narrowed", "[10.12]") {
+TEST_CASE("a piece in which f also has a minimum is narrowed", "[10.12]") {
     // f goes down to x = 3/8 and then up through 0 at 3/4: its slope is not of one sign from 1/4 to 1.
     check_narrowed("(x-3/8)^2-9/64", {0.25, 1}, 0.75, 0x1p-46);
 }
