@@ -22,7 +22,7 @@ namespace {
 }  // namespace
 
 Vec3 around_axis(const Vec3& axis, Real exponent, const Vec2& random) {
-    // 12.16  A direction of Phong's lobe around the axis, which may be any.
+    // 12.16  A direction of Phong's lobe around any axis.
     return todo("12.16");
 }
 
@@ -49,7 +49,7 @@ Vec3 evaluate(const ModifiedPhong& phong, const Vec3& to_light, const Vec3& to_v
 }
 
 Real pdf(const ModifiedPhong& phong, const Vec3& to_light, const Vec3& to_viewer) {
-    // 12.17  The density of the directions that `sample` draws, by both of its ways.
+    // 12.17  The density of the directions that `sample` draws, both of its ways together.
     return todo("12.17");
 }
 
@@ -69,7 +69,7 @@ Vec3 evaluate(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer
 }
 
 Real pdf(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer) {
-    // 12.23  The density of the directions that `sample` draws, by both of its ways.
+    // 12.23  The density of the directions that `sample` draws, both of its ways together.
     return todo("12.23");
 }
 

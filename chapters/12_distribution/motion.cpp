@@ -26,7 +26,7 @@ Ray seen_while_moving(const Ray& ray, const Vec3& motion) {
 }
 
 Bounds bounds_while_moving(const Bounds& bounds, const Vec3& motion) {
-    // 12.9  The box around all places of the box on its way, with its faces surely outside.
+    // 12.9  The box around all places of the box on its way, with faces that are certainly outside.
     return todo("12.9");
 }
 
@@ -57,7 +57,7 @@ namespace {
 }  // namespace
 
 Bounds bounds_while_turning(const Bounds& bounds, const Spin& spin) {
-    // 12.22  The box around the arcs of all eight corners, with its faces surely outside.
+    // 12.22  The box around the arcs of all eight corners, with faces that are certainly outside.
     return todo("12.22");
 }
 

@@ -20,8 +20,7 @@ namespace {
 }  // namespace
 
 std::uint32_t permuted(std::uint32_t index, std::uint32_t count, std::uint64_t key) {
-    // 12.1  The place of `index` in the order that belongs to `key`: a permutation of 0 … count −
-    // 1.
+    // 12.1  The place of `index` in the order of `key`, a permutation of 0 … count − 1.
     return todo("12.1");
 }
 

@@ -67,7 +67,7 @@ std::uint32_t sobol_bits(std::uint32_t index, std::uint32_t dimension) {
 }
 
 std::uint32_t owen_scrambled(std::uint32_t bits, std::uint64_t key) {
-    // 12.4  Flip each bit, or leave it, by the coin that the key has for the bits above it.
+    // 12.4  Flip each bit, or leave it, as the key's coin for the bits above it says.
     return todo("12.4");
 }
 

@@ -11,8 +11,8 @@
 namespace rt {
 
 Real solid_angle(const SphereLight& light, const Vec3& from) {
-    // 12.11  The solid angle of the cone in which the sphere is seen, with all its digits for a
-    // star, too.
+    // 12.11  The solid angle of the cone in which the sphere is seen, with all its digits even
+    // for a star.
     return todo("12.11");
 }
 

@@ -20,7 +20,7 @@ namespace {
 }  // namespace
 
 Vec3 around_axis(const Vec3& axis, Real exponent, const Vec2& random) {
-    // [exercise 12.16] A direction of Phong's lobe around the axis, which may be any.
+    // [exercise 12.16] A direction of Phong's lobe around any axis.
     const Vec3 other = std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 across = normalize(cross(other, axis)), along = cross(axis, across);
     // cos^(s + 1) is uniform.
@@ -66,7 +66,7 @@ Vec3 evaluate(const ModifiedPhong& phong, const Vec3& to_light, const Vec3& to_v
 }
 
 Real pdf(const ModifiedPhong& phong, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 12.17] The density of the directions that `sample` draws, by both of its ways.
+    // [exercise 12.17] The density of the directions that `sample` draws, both of its ways together.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return 0;
     const Real t = highlight_part(phong);
     return (1 - t) * to_light.z / pi + t * around_axis_pdf(mirrored(to_viewer), phong.exponent, to_light);
@@ -107,7 +107,7 @@ Vec3 evaluate(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer
 }
 
 Real pdf(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 12.23] The density of the directions that `sample` draws, by both of its ways.
+    // [exercise 12.23] The density of the directions that `sample` draws, both of its ways together.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return 0;
     const Vec3 both = to_light + to_viewer, h = normalize(both);
     const Real facets = ggx_density(alpha_of(ggx), h) * h.z, t = highlight_part(ggx);

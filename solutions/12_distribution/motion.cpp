@@ -34,7 +34,7 @@ Ray seen_while_moving(const Ray& ray, const Vec3& motion) {
 }
 
 Bounds bounds_while_moving(const Bounds& bounds, const Vec3& motion) {
-    // [exercise 12.9] The box around all places of the box on its way, with its faces surely outside.
+    // [exercise 12.9] The box around all places of the box on its way, with faces that are certainly outside.
     if (glm::any(glm::greaterThan(bounds.low, bounds.high))) return bounds;
     // The face that the motion leads away from stays, the other one moves. Either sum may be rounded inwards.
     Bounds all{bounds.low + glm::min(motion, Vec3(0)), bounds.high + glm::max(motion, Vec3(0))};
@@ -87,7 +87,7 @@ namespace {
 }  // namespace
 
 Bounds bounds_while_turning(const Bounds& bounds, const Spin& spin) {
-    // [exercise 12.22] The box around the arcs of all eight corners, with its faces surely outside.
+    // [exercise 12.22] The box around the arcs of all eight corners, with faces that are certainly outside.
     if (glm::any(glm::lessThan(bounds.high, bounds.low))) return bounds;
     Bounds all;
     Real r = 0;

@@ -19,8 +19,7 @@ namespace {
 }  // namespace
 
 std::uint32_t permuted(std::uint32_t index, std::uint32_t count, std::uint64_t key) {
-    // [exercise 12.1] The place of `index` in the order that belongs to `key`: a permutation of 0 … count −
-    // 1.
+    // [exercise 12.1] The place of `index` in the order of `key`, a permutation of 0 … count − 1.
     if (count == 1) return 0;
     const std::uint32_t mask = ~std::uint32_t(0) >> std::countl_zero(count - 1);
     const int bits = static_cast<int>(std::bit_width(mask));

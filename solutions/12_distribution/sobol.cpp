@@ -73,7 +73,7 @@ std::uint32_t sobol_bits(std::uint32_t index, std::uint32_t dimension) {
 }
 
 std::uint32_t owen_scrambled(std::uint32_t bits, std::uint64_t key) {
-    // [exercise 12.4] Flip each bit, or leave it, by the coin that the key has for the bits above it.
+    // [exercise 12.4] Flip each bit, or leave it, as the key's coin for the bits above it says.
     const std::uint64_t own = stirred(key);
     // The coins are the nodes of a binary tree: 1 at the top, and below n are 2n for a 0 and 2n + 1 for a 1.
     const std::uint32_t path = bits >> 1 | 0x80000000u;

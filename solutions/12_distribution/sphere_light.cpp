@@ -10,8 +10,8 @@
 namespace rt {
 
 Real solid_angle(const SphereLight& light, const Vec3& from) {
-    // [exercise 12.11] The solid angle of the cone in which the sphere is seen, with all its digits for a
-    // star, too.
+    // [exercise 12.11] The solid angle of the cone in which the sphere is seen, with all its digits even
+    // for a star.
     const Real d = length(light.center - from), r = light.radius;
     if (!(d > r)) return 0;
     const Real cosine = std::sqrt((d - r) * (d + r)) / d, sine = r / d;

@@ -22,7 +22,7 @@ void check_point(const LightPoint& p, Real area, Real condition) {
 
 }  // namespace
 
-TEST_CASE("points of tiny and huge lights, by the ends of all numbers", "[12.10][stability]") {
+TEST_CASE("points of tiny and huge lights, from extreme random numbers", "[12.10][stability]") {
     Random random(12111);
     for (const Real size : {1e-30, 1e-10, 1.0, 1e10, 1e30}) {
         const Vec3 s = size * random.direction(), t = size * random.perpendicular_to(s);

@@ -71,7 +71,7 @@ TEST_CASE("what weighs nothing is never chosen", "[12.15]") {
     check_choice(exact, 1 - 0x1p-53, 4, 0.75, 1);
 }
 
-TEST_CASE("if all weigh nothing, all are equally likely", "[12.15]") {
+TEST_CASE("if none weighs anything, all are equally likely", "[12.15]") {
     const Numbers sums = cumulative(Numbers{0, 0, 0, 0});
     INFO("of the weights 0, 0, 0, 0 the sums are " << sums);
     CHECK(all_near(sums, {0.25, 0.5, 0.75, 1}));

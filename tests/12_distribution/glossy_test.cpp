@@ -116,7 +116,7 @@ TEST_CASE("directions around an axis are as dense as they claim", "[12.16]") {
         }
 }
 
-TEST_CASE("how much of the directions Phong's highlight gets", "[12.17]") {
+TEST_CASE("what part of the directions Phong's highlight gets", "[12.17]") {
     INFO("diffuse 0.3 and specular 0.6");
     CHECK(near(highlight_part(plastic), 2 / 3.0, gamma(16)));
     INFO("of colours the mean counts");
@@ -249,7 +249,7 @@ TEST_CASE("Phong's surface returns no more light than it gets", "[12.17]") {
 
 // 12.23 --------------------------------------------------------------------------------------------------
 
-TEST_CASE("how much of the directions the facets get", "[12.23]") {
+TEST_CASE("what part of the directions the facets get", "[12.23]") {
     INFO("diffuse 0.2 and specular 0.6");
     CHECK(near(highlight_part(satin), 0.75, gamma(16)));
     INFO("facets get at least a quarter");

@@ -91,7 +91,7 @@ TEST_CASE("a square lamp above the ground", "[12.14]") {
     CHECK(near(polygon_irradiance(ceiling, here, -up), 0, gamma(128)));
 }
 
-TEST_CASE("what of a wall is above the horizon", "[12.14]") {
+TEST_CASE("the part of a wall that is above the horizon", "[12.14]") {
     const Corners upper{{1, 1, 0}, {1, 1, 1}, {1, -1, 1}, {1, -1, 0}};
     INFO("corners " << wall << " seen from " << here << " with the normal " << up);
     const Corners seen = above_horizon(wall, here, up);

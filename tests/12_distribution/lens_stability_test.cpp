@@ -104,7 +104,7 @@ std::array<Enclosure, 3> enclosed_direction(const View& view, const Lens& lens, 
 
 }  // namespace
 
-TEST_CASE("points of the disc at the ends and in the middle of all numbers", "[12.6][stability]") {
+TEST_CASE("points of the disc from extreme and middle random numbers", "[12.6][stability]") {
     Random random(126001);
     for (int i = 0; i < cases(20'000); ++i) {
         const Vec2 numbers = some_pair(random);

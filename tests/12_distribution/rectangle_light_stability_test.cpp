@@ -93,7 +93,7 @@ TEST_CASE("slivers of parallelograms", "[12.13][stability]") {
     });
 }
 
-TEST_CASE("directions to rectangles by the ends of all numbers", "[12.13][stability]") {
+TEST_CASE("directions to rectangles from extreme random numbers", "[12.13][stability]") {
     for (const Real x : test::ends_and_between)
         for (const Real y : test::ends_and_between)
             for (const Real size : {1e-30, 1e-10, 1.0, 1e10, 1e30})

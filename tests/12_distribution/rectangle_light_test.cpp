@@ -40,7 +40,7 @@ TEST_CASE("the top of a cube from its middle", "[12.13]") {
     CHECK(near(solid_angle(QuadLight{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, Vec3(0)), pi / 6, gamma(256)));
 }
 
-TEST_CASE("the six sides of a box are all around who is inside", "[12.13]") {
+TEST_CASE("the six sides of a box are all around a viewer inside", "[12.13]") {
     Random random(12146);
     for (int i = 0; i < cases(300); ++i) {
         const Vec3 from = 0.95 * random.in_cube();

@@ -243,7 +243,7 @@ TEST_CASE("the coin of the second bit is another one after a 0 than after a 1", 
     check_even(low_and_high);
 }
 
-TEST_CASE("neighbouring keys throw coins of their own", "[12.4]") {
+TEST_CASE("neighbouring keys toss coins of their own", "[12.4]") {
     const std::uint64_t key = first_key(12404);
     std::vector<int> coins(16);
     for (std::uint64_t i = 0; i < keys; ++i) {

@@ -137,7 +137,7 @@ TEST_CASE("the direction and the distance lead to a point of the lamp", "[12.18]
             }
 }
 
-TEST_CASE("by angle a lamp that is the face of a cube around the point sends always the same", "[12.18]") {
+TEST_CASE("by angle a lamp that is the face of a cube around the point always sends the same", "[12.18]") {
     // A sixth of 4 pi: the colour is radiance·(4 pi/6)/pi.
     Random random(12182);
     const AreaLight light{ceiling(1, -1, 1, -1, 1), {3, 1.5, 0.75}};
@@ -151,7 +151,7 @@ TEST_CASE("by angle a lamp that is the face of a cube around the point sends alw
     }
 }
 
-TEST_CASE("by angle a ball and an eighth of all directions send always the same, too", "[12.18]") {
+TEST_CASE("by angle a ball and an eighth of all directions always send the same, too", "[12.18]") {
     // Radius 3 from 5 away: 2 pi (1 − 4/5) = 0.4 pi. The triangle cuts off a corner of space: 4 pi/8.
     const AreaLight ball{SphereLight{{0, 5, 0}, 3}, Vec3(5)};
     const AreaLight eighth{TriangleLight{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, Vec3(5)};
@@ -223,7 +223,7 @@ TEST_CASE("a square's mean light is that of the formula from the handbook", "[12
                 Vec3(all / 2), 12189);
 }
 
-TEST_CASE("under a lamp without an end a white surface is as bright as the lamp", "[12.18]") {
+TEST_CASE("under an endless lamp a white surface is as bright as the lamp", "[12.18]") {
     // 10⁶ wide at the height 1: one part in 10¹² is missing.
     const AreaLight light{ceiling(1, -5e5, 5e5, -5e5, 5e5), {1, 2, 4}};
     Random random(12190);

@@ -73,7 +73,7 @@ TEST_CASE("close above the surface of a sphere", "[12.11][stability]") {
     }
 }
 
-TEST_CASE("directions to spheres by the ends of all numbers", "[12.11][stability]") {
+TEST_CASE("directions to spheres from extreme random numbers", "[12.11][stability]") {
     for (const Real x : test::ends_and_between)
         for (const Real y : test::ends_and_between)
             for (const Real size : {1e-30, 1e-8, 1.0, 1e29})

@@ -74,7 +74,7 @@ TEST_CASE("the faces of a regular tetrahedron from its middle", "[12.12]") {
                gamma(256)));
 }
 
-TEST_CASE("the four faces of a tetrahedron are all around who is inside", "[12.12]") {
+TEST_CASE("the four faces of a tetrahedron are all around a viewer inside", "[12.12]") {
     Random random(12122);
     int greater_than_pi = 0;
     for (int i = 0; i < cases(1000); ++i) {
