@@ -200,10 +200,6 @@ void run_all(const fs::path& file, const fs::path& directory) {
     }
 }
 
-std::string lesson(const std::string& chapter) {
-    return read_file(fs::path(test::repository()) / "chapters" / chapter / "README.md");
-}
-
 /// What a regular expression finds between its parentheses, without the commas that group digits.
 std::string found(const std::string& text, const std::string& pattern) {
     std::smatch match;
