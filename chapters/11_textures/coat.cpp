@@ -31,14 +31,14 @@ Real mean_fresnel(Real ior) {
 }
 
 Real inner_reflectance(Real ior) {
-    // 11.22  Return the part of even light inside that does not get out. By which ways did it get
+    // 11.22  Return the part of even light inside that does not get out. By which paths did it get
     // in?
     return todo("11.22");
 }
 
 Vec3 evaluate(const Coated& coated, const Vec3& to_light, const Vec3& to_viewer) {
-    // 11.22  What passes inwards, meets the ground once or more often, with the coat in between,
-    // and passes outwards.
+    // 11.22  Return what passes inwards, meets the ground once or more often, with the coat in
+    // between, and passes outwards.
     return todo("11.22");
 }
 
@@ -48,7 +48,7 @@ Real pdf(const Coated& coated, const Vec3& to_light, const Vec3& to_viewer) {
 }
 
 std::optional<LobeSample> sample(const Coated& coated, const Vec3& to_viewer, const Vec3& random) {
-    // 11.22  The mirror or the ground, as random.z decides.
+    // 11.22  Return a sample of the mirror or of the ground, as random.z decides.
     return todo("11.22");
 }
 

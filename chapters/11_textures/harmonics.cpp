@@ -12,7 +12,7 @@
 namespace rt {
 
 std::array<Real, 9> harmonics(const Vec3& d) {
-    // 11.6  The values at d of the nine harmonics that the contract lists, in that order.
+    // 11.6  Return the values at d of the nine harmonics that the contract lists, in that order.
     return todo("11.6");
 }
 
@@ -22,7 +22,7 @@ SkyLight projected(const Image& picture) {
 }
 
 Vec3 irradiance(const SkyLight& light, const Vec3& normal) {
-    // 11.6  How much light arrives, as far as the nine numbers know? No light is negative.
+    // 11.6  Return how much light arrives, as far as the nine numbers know. No light is negative.
     return todo("11.6");
 }
 

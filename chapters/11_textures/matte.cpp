@@ -30,8 +30,8 @@ Real pdf(const Matte&, const Vec3& to_light, const Vec3& to_viewer) {
 }
 
 std::optional<LobeSample> sample(const Matte& matte, const Vec3& to_viewer, const Vec3& random) {
-    // 11.15  Return a direction, what light from there counts, and the density. Which factors of
-    // the weight cancel?
+    // 11.15  Return a direction, how much light from there counts, and the density. Which factors
+    // of the weight cancel?
     return todo("11.15");
 }
 

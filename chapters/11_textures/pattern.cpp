@@ -11,7 +11,7 @@
 namespace rt {
 
 Real stripe_value(const Vec3& q) {
-    // 11.8  0 or 1: in which of the slices between whole numbers is x, one that is even or odd?
+    // 11.8  Return 0 or 1: is x in an even or an odd one of the slices between whole numbers?
     return todo("11.8");
 }
 

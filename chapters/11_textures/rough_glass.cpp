@@ -28,8 +28,8 @@ namespace {
 }  // namespace
 
 std::optional<Vec3> glass_facet(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_viewer) {
-    // 11.18  Return the facet's normal, turned upwards. Is each direction on the side of the facet
-    // on which it is of the surface?
+    // 11.18  Return the facet's normal, turned upwards. Is each direction on the same side of the
+    // facet as of the surface?
     return todo("11.18");
 }
 

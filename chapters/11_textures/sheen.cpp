@@ -16,7 +16,7 @@ Real velvet_density(Real sigma, const Vec3& h) {
 }
 
 Real cavity_g1(const Vec3& w, const Vec3& h) {
-    // 11.20  The part of the facet that its partner leaves to w.
+    // 11.20  Return the part of the facet that its partner does not hide from w.
     return todo("11.20");
 }
 

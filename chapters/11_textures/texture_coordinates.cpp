@@ -127,8 +127,8 @@ TexturePoint texture_point(const OpenCone& open, const Vec3& p, std::uint32_t) {
     [[maybe_unused]] const auto& [axis, from, towards] = given;
     [[maybe_unused]] const Vec2 uv = side_uv(cone, given, p);
 
-    // 11.1  Return uv, and with it du and dv: how the point moves on the side. It is radius_a wide
-    // at v = 0, and radius_b at v = 1.
+    // 11.1  Return uv, and with it du and dv: how the point moves on the side, whose radius is
+    // radius_a at v = 0 and radius_b at v = 1.
     return todo("11.1");
 }
 

@@ -29,15 +29,15 @@ Real mean_fresnel(Real ior) {
 }
 
 Real inner_reflectance(Real ior) {
-    // [exercise 11.22] Return the part of even light inside that does not get out. By which ways did it get
+    // [exercise 11.22] Return the part of even light inside that does not get out. By which paths did it get
     // in?
     return 1 - (1 - mean_fresnel(ior)) / (ior * ior);
     // [/exercise]
 }
 
 Vec3 evaluate(const Coated& coated, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 11.22] What passes inwards, meets the ground once or more often, with the coat in between,
-    // and passes outwards.
+    // [exercise 11.22] Return what passes inwards, meets the ground once or more often, with the coat in
+    // between, and passes outwards.
     if (!(to_light.z > 0) || !(to_viewer.z > 0)) return Vec3(0);
     const Real both = passed(coated, to_light.z) * passed(coated, to_viewer.z);
     const Vec3 often = coated.color / (Vec3(1) - coated.color * inner_reflectance(coated.ior));
@@ -53,7 +53,7 @@ Real pdf(const Coated& coated, const Vec3& to_light, const Vec3& to_viewer) {
 }
 
 std::optional<LobeSample> sample(const Coated& coated, const Vec3& to_viewer, const Vec3& random) {
-    // [exercise 11.22] The mirror or the ground, as random.z decides.
+    // [exercise 11.22] Return a sample of the mirror or of the ground, as random.z decides.
     if (!(to_viewer.z > 0)) return std::nullopt;
     const Real through = passed(coated, to_viewer.z);
     if (random.z < 1 - through)

@@ -10,7 +10,7 @@
 namespace rt {
 
 std::array<Real, 9> harmonics(const Vec3& d) {
-    // [exercise 11.6] The values at d of the nine harmonics that the contract lists, in that order.
+    // [exercise 11.6] Return the values at d of the nine harmonics that the contract lists, in that order.
     const Real c0 = std::sqrt(1 / pi) / 2, c1 = std::sqrt(3 / pi) / 2, c2 = std::sqrt(15 / pi) / 2;
     const Real along = std::sqrt(5 / pi) / 4 * (3 * d.z * d.z - 1);
     const Real across = c2 / 2 * (d.x - d.y) * (d.x + d.y);
@@ -37,7 +37,7 @@ SkyLight projected(const Image& picture) {
 }
 
 Vec3 irradiance(const SkyLight& light, const Vec3& normal) {
-    // [exercise 11.6] How much light arrives, as far as the nine numbers know? No light is negative.
+    // [exercise 11.6] Return how much light arrives, as far as the nine numbers know. No light is negative.
     const auto y = harmonics(normal);
     Vec3 sum = pi * y[0] * light.coefficients[0];
     for (std::size_t k = 1; k < 4; ++k) sum += 2 * pi / 3 * y[k] * light.coefficients[k];

@@ -44,8 +44,8 @@ Real pdf(const Matte&, const Vec3& to_light, const Vec3& to_viewer) {
 }
 
 std::optional<LobeSample> sample(const Matte& matte, const Vec3& to_viewer, const Vec3& random) {
-    // [exercise 11.15] Return a direction, what light from there counts, and the density. Which factors of
-    // the weight cancel?
+    // [exercise 11.15] Return a direction, how much light from there counts, and the density. Which factors
+    // of the weight cancel?
     if (!(to_viewer.z > 0)) return std::nullopt;
     const Vec3 to_light = cosine_direction(random.x, random.y);
     return LobeSample{to_light, pi * evaluate(matte, to_light, to_viewer), to_light.z / pi};

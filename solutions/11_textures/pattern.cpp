@@ -9,7 +9,7 @@
 namespace rt {
 
 Real stripe_value(const Vec3& q) {
-    // [exercise 11.8] 0 or 1: in which of the slices between whole numbers is x, one that is even or odd?
+    // [exercise 11.8] Return 0 or 1: is x in an even or an odd one of the slices between whole numbers?
     return std::fmod(std::floor(q.x), 2) == 0 ? 0 : 1;
     // [/exercise]
 }

@@ -26,8 +26,8 @@ namespace {
 }  // namespace
 
 std::optional<Vec3> glass_facet(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_viewer) {
-    // [exercise 11.18] Return the facet's normal, turned upwards. Is each direction on the side of the facet
-    // on which it is of the surface?
+    // [exercise 11.18] Return the facet's normal, turned upwards. Is each direction on the same side of the
+    // facet as of the surface?
     const bool mirrors = to_light.z * to_viewer.z > 0;
     const Vec3 sum = mirrors ? to_light + to_viewer
                              : ior_at(glass, to_light) * to_light + ior_at(glass, to_viewer) * to_viewer;

@@ -19,7 +19,7 @@ Real velvet_density(Real sigma, const Vec3& h) {
 }
 
 Real cavity_g1(const Vec3& w, const Vec3& h) {
-    // [exercise 11.20] The part of the facet that its partner leaves to w.
+    // [exercise 11.20] Return the part of the facet that its partner does not hide from w.
     return std::min(2 * h.z * w.z / dot(w, h), Real(1));
     // [/exercise]
 }

@@ -137,8 +137,8 @@ TexturePoint texture_point(const OpenCone& open, const Vec3& p, std::uint32_t) {
     [[maybe_unused]] const auto& [axis, from, towards] = given;
     [[maybe_unused]] const Vec2 uv = side_uv(cone, given, p);
 
-    // [exercise 11.1] Return uv, and with it du and dv: how the point moves on the side. It is radius_a wide
-    // at v = 0, and radius_b at v = 1.
+    // [exercise 11.1] Return uv, and with it du and dv: how the point moves on the side, whose radius is
+    // radius_a at v = 0 and radius_b at v = 1.
     const Real u = uv.x, v = uv.y;
     const Real widening = cone.radius_b - cone.radius_a;
     const Real cosine = std::cos(2 * pi * u), sine = std::sin(2 * pi * u);
