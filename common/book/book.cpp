@@ -47,9 +47,14 @@ PageView contents(const std::vector<Chapter>& chapters, const std::vector<BookPa
     };
     for (const Chapter& chapter : chapters) {
         PageView parts = PageView::array();
-        for (const BookPage& page : pages)
-            if (page.chapter == chapter.number) parts.push_back(entry(page));
-        if (parts.empty()) continue;
+        std::string whole;  // "3 Triangles, ", which stands once above its parts
+        for (const BookPage& page : pages) {
+            if (page.chapter != chapter.number) continue;
+            parts.push_back(entry(page));
+            if (!whole.empty() && page.title.starts_with(whole))
+                parts.back()["name"] = page.title.substr(whole.size());
+            if (whole.empty()) whole = page.title + ", ";
+        }
         list.push_back({{"parts", parts}});
     }
     PageView others = PageView::array();
