@@ -160,8 +160,8 @@ TEST_CASE("files that are named must exist") {
 
 TEST_CASE("a key that nobody reads is refused") {
     CHECK_THAT(error_of(with("\"points\": 10", "\"point\": 10")),
-               Catch::Contains(
-                   "6:64: steps/0/point: is not known; there are id, title, file, points, picture, hints"));
+               Catch::Contains("6:64: steps/0/point: is not known; there are id, title, file, points, "
+                               "optional, picture, hints"));
 }
 
 TEST_CASE("chapters and steps are found as people write them") {

@@ -190,7 +190,7 @@ void run_all(const fs::path& file, const fs::path& directory) {
         }
         Command command = quick(with_solutions(shown), compared);
         // Only named, as in "`./course explain` says so": then there must be such a command.
-        if (command.words.size() == 2) command.words.emplace_back("--help");
+        if (shown.words.size() == 2) command.words = {shown.words[0], shown.words[1], "--help"};
         // What would write into the repository writes beside it.
         if (command.words.front() == "build/bin/make_teapot") command.words.back() = "teapot.obj";
         const ProcessResult result = run(command, directory);
