@@ -59,7 +59,7 @@ std::optional<Vec3> barycentric(const Triangle& triangle, const Vec3& point) {
 
 ShearedRay shear(const Ray& ray) {
     // [exercise 03.4] The ray with its axes renamed: z is the one along which it goes fastest, x and y are
-    // the next two in cyclic order. And its slope along the new x and y.
+    // the next two in cyclic order; and its slopes along the new x and y.
     const Vec3& d = ray.direction;
     const Vec3 size = abs(d);
     const int z = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -90,9 +90,9 @@ Real edge_function(const Vec2& p, const Vec2& q) {
 
 std::optional<Hit> hit_of_seen(const ShearedRay& ray, const Vec3& a, const Vec3& b, const Vec3& c,
                                Interval range) {
-    // [exercise 03.6] The ray is at x = y = 0, inside the triangle. From the edge functions follow the
-    // weights of the corners, and from those t, in units of the direction's length. Nothing if it is not in
-    // the range.
+    // [exercise 03.6] The ray is at x = y = 0, inside the triangle. The edge functions give the weights
+    // of the corners, and these give t, in units of the direction's length. Nothing if it is not in the
+    // range.
     const Real e_a = edge_function(Vec2(c), Vec2(b));
     const Real e_b = edge_function(Vec2(a), Vec2(c));
     const Real e_c = edge_function(Vec2(b), Vec2(a));
@@ -115,9 +115,9 @@ std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, In
     //      greatest |z|. Outside of 1e-140 to 1e140 its square might leave the range of Real: leave such
     //      triangles to intersect_exactly, which is given.
     //   2. x and y are off by less than 8u · size. A triangle that surely lies to one side is missed.
-    //   3. The plain p.x·q.y − p.y·q.x of the edges are off by less than 128u · size². A miss where they are
-    //      surely of both signs; where one is too close to 0 to know, intersect_exactly decides.
-    //   4. Else a sure hit, which hit_of_seen (03.6) finds.
+    //   3. The plain p.x·q.y − p.y·q.x of the edges are off by less than 128u · size². It is a miss where they
+    //      surely have both signs; otherwise, where one is too close to 0, intersect_exactly decides.
+    //   4. What is left is a sure hit, which hit_of_seen (03.6) finds.
     const Vec3 a = seen(ray, triangle.a);
     const Vec3 b = seen(ray, triangle.b);
     const Vec3 c = seen(ray, triangle.c);

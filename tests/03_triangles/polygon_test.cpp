@@ -248,7 +248,7 @@ TEST_CASE("a point belongs to exactly one of two polygons that share an edge", "
     }
 }
 
-TEST_CASE("points on the common edge have one owner also where rounding decides", "[03.2]") {
+TEST_CASE("points on the common edge have one owner even where rounding decides", "[03.2]") {
     Random random(34);
     for (int i = 0; i < cases(10000); ++i) {
         const Vec2 p(random.uniform(-1, 0), random.uniform(-1, 0)),

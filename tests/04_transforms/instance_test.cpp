@@ -262,7 +262,7 @@ TEST_CASE("element says which triangle of the mesh", "[04.6]") {
     check_hit(closest_hit(instances, {{0, 0, -15}, {0, 0, 2}}, ahead), 4.5, 1, 0);
 }
 
-TEST_CASE("a mesh outside of its bounding sphere is not looked at", "[04.6]") {
+TEST_CASE("a ray that misses the bounding sphere asks none of the mesh's triangles", "[04.6]") {
     SharedMesh mesh = one_triangle();
     mesh.bound = {{10, 0, 0}, 1};
     const std::vector<Instance> instances{instance_of(translation({0, 0, -4}), mesh)};
