@@ -11,7 +11,7 @@ namespace rt {
 
 /// [01.4] Hit of the ray with the plane in (range.min, range.max], or nothing.
 ///
-/// `t` is in units of |ray.direction|. A ray parallel to the plane misses it, also one that lies in it.
+/// `t` is in units of |ray.direction|. A ray parallel to the plane misses it, even one that lies in it.
 std::optional<Hit> intersect(const Plane& plane, const Ray& ray, Interval range);
 
 /// The surface at a hit: the point, moved onto the plane; the unit normal; (u, v) = 0. Given.

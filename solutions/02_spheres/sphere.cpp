@@ -8,7 +8,7 @@
 namespace rt {
 
 Roots intersections(const Sphere& sphere, const Ray& ray) {
-    // [exercise 02.2] Return both t at which the line of the ray meets the sphere, also where the sphere is
+    // [exercise 02.2] Return both t at which the line of the ray meets the sphere, even where the sphere is
     // many millions of its radii away. The direction may have any length.
     const Vec3& d = ray.direction;
     const Vec3 f = ray.origin - sphere.center;
@@ -36,8 +36,8 @@ std::optional<Hit> intersect(const Sphere& sphere, const Ray& ray, Interval rang
 
 Surface surface_at(const Sphere& sphere, const Ray& ray, const Hit& hit) {
     Surface surface;
-    // [exercise 02.4] Set the surface's normal, which is outward and 1 long, its shading_normal, which is the
-    // same here, and its point, which is on the sphere up to the last bits.
+    // [exercise 02.4] Set the surface's normal, which points outwards and has length 1; its shading_normal,
+    // which is the same here; and its point, which is on the sphere up to the last bits.
     const Vec3 f = ray.origin - sphere.center;
     const Vec3 n = normalize(f + hit.t * ray.direction);
     surface.normal = n;
@@ -46,13 +46,13 @@ Surface surface_at(const Sphere& sphere, const Ray& ray, const Hit& hit) {
     // [/exercise]
 
     // Given. Where a ball is so small, and so far away, that rounding puts the hit onto its centre, the
-    // vector from there to the hit has no direction. The ball is seen from where the ray comes.
+    // vector from there to the hit has no direction. The normal then points back along the ray.
     if (!(dot(surface.normal, surface.normal) > 0)) {
         surface.normal = surface.shading_normal = -normalize(ray.direction);
         surface.point = sphere.center + sphere.radius * surface.normal;
     }
 
-    // How far rounding has moved the point from the sphere, an axis at a time, and what the next ray, which
+    // How far rounding may have moved the point from the sphere, axis by axis, and what the next ray, which
     // starts here, may get wrong about its distance from the sphere; chapter 6 derives it.
     surface.error = gamma(10) * abs(sphere.radius * surface.normal) + gamma(2) * abs(surface.point);
     return surface;

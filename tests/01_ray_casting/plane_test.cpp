@@ -90,7 +90,7 @@ TEST_CASE("a plane is hit from both sides", "[01.4]") {
     check_hit(ground, {{5, -3, 2}, {0, 1, 0}}, everything, 3);
 }
 
-TEST_CASE("a ray parallel to the plane misses it, also inside the plane", "[01.4]") {
+TEST_CASE("a ray parallel to the plane misses it, even one inside the plane", "[01.4]") {
     check_miss(ground, {{0, 1, 0}, {1, 0, 0}}, everything);
     check_miss(ground, {{0, 0, 0}, {1, 0, 0}}, everything);
     check_miss(Plane{{0, 0, 0}, {1, -1, 0}}, {{0, 1, 0}, {2, 2, 5}}, everything);

@@ -103,7 +103,7 @@ TEST_CASE("a tangent line meets the sphere once", "[02.2]") {
     check_roots(unit_sphere, {{1, 0, 5}, {0, 0, -1}}, 5, 5);
 }
 
-TEST_CASE("a line that passes the sphere has no roots", "[02.2]") {
+TEST_CASE("a line that passes beside the sphere has no roots", "[02.2]") {
     for (const Real x : {-1.5, 1.5, 1.125}) {
         const Roots roots = intersections(unit_sphere, {{x, 0, 5}, {0, 0, -1}});
         INFO("the line passes the centre at " << std::abs(x) << " radii: " << roots
@@ -200,7 +200,7 @@ TEST_CASE("from inside the far side is hit", "[02.3]") {
     check_hit(unit_sphere, {{0, 0, 0.5}, {0, 0, -1}}, ahead, 1.5);
 }
 
-TEST_CASE("a sphere that the line passes is missed", "[02.3]") {
+TEST_CASE("a sphere beside the line is missed", "[02.3]") {
     check_miss(unit_sphere, {{1.5, 0, 5}, {0, 0, -1}}, ahead);
 }
 

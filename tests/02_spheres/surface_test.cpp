@@ -80,11 +80,11 @@ TEST_CASE("the normal is a unit vector whatever the radius and the centre", "[02
     check_surface({{1, 2, 3}, 0.25}, {{1, 2, -9}, {0, 0, 3}}, {1, 2, 2.75}, {0, 0, -1});
 }
 
-TEST_CASE("the normal points outwards also where the ray comes from inside", "[02.4]") {
+TEST_CASE("the normal points outwards even where the ray comes from inside", "[02.4]") {
     check_surface({{0, 0, 0}, 2}, {{0, 0, 0}, {0, 0, -1}}, {0, 0, -2}, {0, 0, -1});
 }
 
-TEST_CASE("far from the origin normals are as exact as near it", "[02.4]") {
+TEST_CASE("far from the origin, normals are as exact as near it", "[02.4]") {
     // There coordinates are multiples of 2^-16: a point in the world would be off by as much, the vector from
     // the centre is not.
     for (const Vec3& center : {Vec3(0), Vec3(0x1p36, 0, 0), Vec3(0x1p36, -0x1p36, 0x1p36)}) {
