@@ -137,6 +137,10 @@ inline void write_argument(Outgoing& call, const Overlaps& overlaps) {
 }
 /// Not as other values with gaps between their bytes are: it is changed, and so never kept.
 inline void write_argument(Outgoing& call, const Stream& stream) { call.out(stream); }
+template <class T>
+void write_argument(Outgoing& call, std::vector<T>& changed) {
+    call.out(changed);
+}
 inline void write_argument(Outgoing& call, RayColor color) {
     call.callback([color, &call](Reader& in, Writer& out) {
         const auto ray = in.read<Ray>();
@@ -182,6 +186,10 @@ struct Result<void> {
 template <class T>
 void read_back(Reader&, const T&) {}
 inline void read_back(Reader& in, Stream& stream) { in(stream); }
+template <class T>
+void read_back(Reader& in, std::vector<T>& changed) {
+    in(changed);
+}
 
 void add_counts(Reader& in);
 

@@ -69,6 +69,14 @@ struct Argument<Stream> {
     Stream& get() { return held; }
     void write_back(Writer& out) const { out(held); }
 };
+/// A list that the function changes.
+template <class T>
+struct Changed {
+    std::vector<T> held;
+    explicit Changed(Reader& in) : held(in.read<std::vector<T>>()) {}
+    std::vector<T>& get() { return held; }
+    void write_back(Writer& out) const { out(held); }
+};
 template <>
 struct Argument<Ask> {
     struct Call {
@@ -170,13 +178,23 @@ void write_result(Writer& out, R* result) {
 /// What the judge adds to its own: rays, searches, and the seconds that the function took.
 void write_counts(Writer& out, double seconds);
 
+/// What holds a parameter of type P.
+template <class P>
+struct Holder {
+    using Type = Argument<std::remove_cvref_t<P>>;
+};
+template <class T>
+struct Holder<std::vector<T>&> {
+    using Type = Changed<T>;
+};
+
 /// The table's entry for a function.
 template <auto function>
 struct AnswerOf;
 template <class R, class... P, R (*function)(P...)>
 struct AnswerOf<function> {
     static void answer(Reader& in, Writer& out) {
-        std::tuple<std::optional<Argument<std::remove_cvref_t<P>>>...> arguments;
+        std::tuple<std::optional<typename Holder<P>::Type>...> arguments;
         std::apply(
             [&](auto&... argument) {
                 (argument.emplace(in), ...);
