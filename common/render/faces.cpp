@@ -2,6 +2,7 @@
 #include "common/render/faces.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rt {
 namespace {
@@ -34,6 +35,15 @@ Face face_of(const Mesh& mesh, const std::array<Mesh::Corner, 3>& corners) {
     if (a.uv >= 0 && b.uv >= 0 && c.uv >= 0)
         face.uvs = {at(mesh.uvs, a.uv), at(mesh.uvs, b.uv), at(mesh.uvs, c.uv)};
     return face;
+}
+
+Face other_way_round(const Face& face) {
+    Face other = face;
+    std::swap(other.triangle.b, other.triangle.c);
+    if (other.normals) std::swap(other.normals->b, other.normals->c);
+    other.uvs = face.uvs.value_or(weights);
+    std::swap(other.uvs->b, other.uvs->c);
+    return other;
 }
 
 TriangleNormals unit_normals(const TriangleNormals& n) { return {unit(n.a), unit(n.b), unit(n.c)}; }

@@ -24,6 +24,9 @@ TriangleNormals unit_normals(const TriangleNormals& n);
 /// Texture coordinates of a triangle that has none: the weights of its corners b and c.
 inline constexpr TriangleUvs weights{{0, 0}, {1, 0}, {0, 1}};
 
+/// The same place, seen from behind: with the corners b and c, and what they know, exchanged.
+Face other_way_round(const Face& face);
+
 /// The mesh as several instances share it, in its own space, with what these needs ask of its corners.
 SharedMesh share(const Mesh& mesh, const Needs& needs);
 

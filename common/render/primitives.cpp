@@ -251,7 +251,11 @@ struct PrimitiveBuilder {
         append(ellipsoid);
     }
 
-    void add(const Face& face) {
+    /// Whether the object's transform turns the way round a face, and with it the side that its normal is on.
+    bool is_mirrored() const { return transform && glm::determinant(Mat3(transform->to_world)) < 0; }
+
+    void add(const Face& given) {
+        const Face face = is_mirrored() && !moves() ? other_way_round(given) : given;
         const Triangle& t = face.triangle;
         const Triangle baked{point(t.a), point(t.b), point(t.c)};
         limits().check_corners(std::array{baked.a, baked.b, baked.c});
@@ -305,6 +309,8 @@ struct PrimitiveBuilder {
         Polygon shape;
         for (const std::uint32_t index : polygon.vertex)
             shape.vertices.push_back(point(scene.vertices[index]));
+        // A picture lies between the corners that were named last, first and second.
+        if (is_mirrored() && !shows_picture()) std::reverse(shape.vertices.begin() + 1, shape.vertices.end());
         limits().check_corners(shape.vertices);
         if (shows_picture() && texture_point(shape, shape.vertices.front(), 0).du == Vec3(0))
             limits().fail(

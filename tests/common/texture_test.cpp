@@ -479,6 +479,14 @@ TEST_CASE("rough glass sends on light from behind, in one direction as in the ot
     CHECK(pixel(picture_with(glass + behind + body), 3, 3) == Vec3(0));
     CHECK(test::near(pixel(picture_with(glass + behind + "transmission .5 .25 1\n" + body), 3, 3),
                      0.3456 * Vec3(0.5, 0.25, 1), 1e-9));
+    // The side on which a face has its corners counter-clockwise is outside, and stays so in a mirror.
+    const std::string corners = "vertex -9 -9 0\nvertex 9 -9 0\nvertex 0 9 0\n";
+    for (const std::string face : {"tri 0 1 2\n", "polygon 0 1 2\n", "disc 0 0 0 0 0 1 9\n"})
+        for (const std::string transform : {"", "scale -1 1 1\n", "scale 1 -1 1\n"}) {
+            INFO(transform << face);
+            CHECK(test::near(pixel(picture_with(glass + behind + corners + transform + face), 3, 3),
+                             Vec3(0.3456), 1e-9));
+        }
     CHECK(error_of("finish glass\nsphere 0 0 0 1\n") ==
           "test.scene:4:1: 'finish glass' takes an 'ior' from 1.01 to 4, and the one in force is 1");
     CHECK(error_of("finish glass 2\n").find("test.scene:3:14: the value of 'glass' must be from 0 to 1") ==
