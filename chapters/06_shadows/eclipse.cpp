@@ -11,8 +11,8 @@ namespace rt {
 
 Real eclipsed(Real sun, Real moon, Real apart) {
     // 06.5  Which part of the sun's disc the moon's disc covers: none where they are beside each
-    // other, all or the moon's share where one lies within the other, and else the lens that they have in
-    // common, divided by the area of the sun.
+    // other; all of it, or a part as large as the moon, where one lies within the other; and else the lens
+    // that they share. The answer is a share of the sun's area.
     return todo("06.5");
 }
 

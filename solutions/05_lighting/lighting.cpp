@@ -10,9 +10,9 @@ namespace rt {
 
 LightSample sample_light(const PointLight& light, const Vec3& point) {
     // [exercise 05.1] In which direction and at what distance d the lamp is, seen from the point, and what
-    // arrives of its light: color / (x + y·d + z·d²), where (x, y, z) is the attenuation. A lamp on
-    // the very point sends nothing, from distance 0; and where the quotient is not a finite number, no light
-    // arrives. Nothing that is computed from the answer may become NaN.
+    // arrives of its light: color / (x + y·d + z·d²), where (x, y, z) is the attenuation. A lamp at
+    // the very point sends nothing, and its distance is 0. Where the quotient is not a finite number, no
+    // light arrives, from that direction and distance. Nothing computed from the answer may become NaN.
     const Vec3 to_light = light.position - point;
     const Real d = length(to_light);
     if (!(d > 0)) return {.distance = 0};

@@ -163,7 +163,7 @@ TEST_CASE("Blinn: shininess 0 is a highlight all over, shininess 1e6 a pinprick"
     check_highlight(of_blinn, up, up, leaning(10), 1e6, 0, 1e-300);
 }
 
-TEST_CASE("Blinn: nothing at a right angle, of no shininess either", "[05.3]") {
+TEST_CASE("Blinn: nothing at a right angle, not even with shininess 0", "[05.3]") {
     check_highlight(of_blinn, up, {1, 0, 0}, {1, 0, 0}, 5, 0);
     check_highlight(of_blinn, up, {1, 0, 0}, {1, 0, 0}, 0, 0);
 }

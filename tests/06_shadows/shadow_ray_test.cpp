@@ -170,14 +170,14 @@ TEST_CASE("a shadow ray to the sun has no end", "[06.2]") {
     CHECK(shadow.range.max == infinity);
 }
 
-TEST_CASE("what the offset has gained is not walked again", "[06.2]") {
+TEST_CASE("the ray is shorter by what the offset has moved its start", "[06.2]") {
     const Surface floor = surface_with({3, 0, 0}, Vec3(0.25), {0, 1, 0});
     const ShadowRay shadow = shadow_ray(floor, {.direction = {0, 1, 0}, .distance = 5});
     INFO("from a " << floor << ": " << shadow);
     check_range(shadow, 4.75);
 }
 
-TEST_CASE("a lamp behind the surface is asked from behind", "[06.2]") {
+TEST_CASE("to a lamp behind the surface the ray starts behind it", "[06.2]") {
     const Surface floor = surface_with({0, 2, 0}, Vec3(0.25), {0, 1, 0});
     const ShadowRay shadow = shadow_ray(floor, {.direction = {0, -1, 0}, .distance = 2});
     check_ray(shadow, {0, down_from(1.75), 0}, {0, -1, 0}, 4 * unit_roundoff);
