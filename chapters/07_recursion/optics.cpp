@@ -11,7 +11,7 @@ namespace {
 
 /// cosₜ² by Snell's law, negative where reflection is total.
 [[maybe_unused]] Real refracted_cosine_squared(Real cos_i, Real eta) {
-    // 07.2  Return cosₜ² in that form of the lesson in which nothing cancels.
+    // 07.2  Return cosₜ² by the one of the lesson's two forms in which nothing cancels.
     return todo("07.2");
 }
 
@@ -35,20 +35,20 @@ Real fresnel(Real cos_i, Real eta) {
 }
 
 Real schlick(Real cos_i, Real eta) {
-    // 07.3  Return the same by Schlick's approximation, with the cosine on the thinner side: 1
-    // where reflection is total.
+    // 07.3  Return the same by Schlick's approximation, with the cosine on the side of the
+    // lower index: 1 where reflection is total.
     return todo("07.3");
 }
 
 Vec3 transmitted(const Vec3& absorption, Real distance) {
-    // 07.4  Return what is left in each channel. The distance may be infinite: all is left then in
-    // a channel without absorption.
+    // 07.4  Return what is left in each channel. The distance may be infinite: even then all is
+    // left in a channel without absorption.
     return todo("07.4");
 }
 
 Vec3 soap_film(Real cos_i, Real ior, Real thickness) {
-    // 07.7  For each polarisation and each of the three `wavelengths`, the part of the light that
-    // comes back when all the waves that do are added up; of unpolarised light, the mean of both.
+    // 07.7  Return, for each of the three `wavelengths`, the part of unpolarised light that comes
+    // back when all the waves that do are added up: the mean of both polarisations.
     return todo("07.7");
 }
 

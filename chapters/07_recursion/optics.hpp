@@ -23,7 +23,7 @@ std::optional<Vec3> refract(const Vec3& d, const Vec3& n, Real eta);
 Real fresnel(Real cos_i, Real eta);
 
 /// [07.3] The same by Schlick's approximation F0 + (1 − F0)(1 − cos)⁵ (1994). The cosine is that on the
-/// thinner side: for eta > 1 the transmitted angle's.
+/// side of the lower index: for eta > 1 the transmitted angle's.
 Real schlick(Real cos_i, Real eta);
 
 /// [07.4] Part of the light left after `distance` in a medium: exp(−absorption · distance) a channel

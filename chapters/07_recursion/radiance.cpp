@@ -82,7 +82,7 @@ Media cross(const Media& media, Medium medium) {
 
 Branches scatter(const World& world, const Branch& incoming, const Hit& hit, const Surface& surface,
                  const Material& material) {
-    // 07.5  The rays that go on, the mirrored one first. None does once incoming.depth is
+    // 07.5  Return the rays that go on, the mirrored one first: none once incoming.depth is
     // world.max_depth. An opaque material mirrors `specular` of the light. A transparent one shares it out as
     // `shares` says; where reflection is total, all of it is mirrored. Use the shading normal, turned against
     // the ray, and the functions above: `media_behind`, `refract_at`, `reflect_totally`, and `add`, which

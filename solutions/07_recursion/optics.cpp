@@ -9,7 +9,7 @@ namespace {
 
 /// cosₜ² by Snell's law, negative where reflection is total.
 [[maybe_unused]] Real refracted_cosine_squared(Real cos_i, Real eta) {
-    // [exercise 07.2] Return cosₜ² in that form of the lesson in which nothing cancels.
+    // [exercise 07.2] Return cosₜ² by the one of the lesson's two forms in which nothing cancels.
     return (1 - eta) * (1 + eta) + (eta * cos_i) * (eta * cos_i);
     // [/exercise]
 }
@@ -47,8 +47,8 @@ Real fresnel(Real cos_i, Real eta) {
 }
 
 Real schlick(Real cos_i, Real eta) {
-    // [exercise 07.3] Return the same by Schlick's approximation, with the cosine on the thinner side: 1
-    // where reflection is total.
+    // [exercise 07.3] Return the same by Schlick's approximation, with the cosine on the side of the
+    // lower index: 1 where reflection is total.
     const Real root = (1 - eta) / (1 + eta);
     const Real f0 = root * root;
     Real cosine = cos_i;
@@ -64,8 +64,8 @@ Real schlick(Real cos_i, Real eta) {
 }
 
 Vec3 transmitted(const Vec3& absorption, Real distance) {
-    // [exercise 07.4] Return what is left in each channel. The distance may be infinite: all is left then in
-    // a channel without absorption.
+    // [exercise 07.4] Return what is left in each channel. The distance may be infinite: even then all is
+    // left in a channel without absorption.
     Vec3 left(1);
     for (int i = 0; i < 3; ++i)
         if (absorption[i] != 0) left[i] = std::exp(-absorption[i] * distance);
@@ -74,8 +74,8 @@ Vec3 transmitted(const Vec3& absorption, Real distance) {
 }
 
 Vec3 soap_film(Real cos_i, Real ior, Real thickness) {
-    // [exercise 07.7] For each polarisation and each of the three `wavelengths`, the part of the light that
-    // comes back when all the waves that do are added up; of unpolarised light, the mean of both.
+    // [exercise 07.7] Return, for each of the three `wavelengths`, the part of unpolarised light that comes
+    // back when all the waves that do are added up: the mean of both polarisations.
     const Real eta = 1 / ior, cos_t = std::sqrt(refracted_cosine_squared(cos_i, eta));
     const Real along = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
     const Real across = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);

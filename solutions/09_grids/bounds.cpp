@@ -79,7 +79,7 @@ Bounds merge(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low),
 Bounds grown(const Bounds& box, Real by) { return {box.low - by, box.high + by}; }
 
 std::optional<Interval> clip(const Bounds& box, const Ray& ray, Interval range) {
-    // [exercise 09.2] Return the part of the range in which the ray is inside the box. Widen what is computed
+    // [exercise 09.2] Return the part of the range in which the ray is inside the box. Widen what you compute
     // by gamma(3) of its size (common/math/error.hpp), so that nothing is lost.
     //   – If d is 0, the ray is between the planes of this axis everywhere, or nowhere.
     //   – The box is closed, so an interval of one point is not empty: only min > max is.

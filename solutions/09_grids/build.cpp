@@ -52,8 +52,8 @@ CellBlock block_around(const GridShape& shape, const Bounds& box, Real margin) {
 std::size_t list_cells(const Task& task, const GridShape& shape, std::uint32_t i, const CellBlock& block,
                        std::vector<std::uint32_t>& numbers) {
     // [exercise 09.7] Append the numbers of the cells, and return how many there are. A loop over all cells
-    // of the block is right; to be fast, too, ask about a large block as a whole first, its box grown by two
-    // margins to be on the safe side.
+    // of the block is right. To be fast as well, ask about a large block as a whole first, its box grown by
+    // two margins to be on the safe side.
     const Cells size = block.high - block.low + 1;
     const Bounds box{cell_box(shape, block.low).low, cell_box(shape, block.high).high};
     if (size == Cells(1)) {
@@ -210,9 +210,9 @@ bool overlaps(const Sphere& sphere, const Bounds& box) {
 }
 
 bool overlaps(const Triangle& triangle, const Bounds& box) {
-    // [exercise 09.6] Say whether the triangle may have a point in the box: no where one of the thirteen axes
-    // parts them. Along each of them, project all three corners, also where two would give the same without
-    // rounding.
+    // [exercise 09.6] Say whether the triangle may have a point in the box: it has none if one of the
+    // thirteen axes parts them. Along each axis project all three corners, even where two would give the same
+    // without rounding.
     const Vec3 h = (box.high - box.low) * Real(0.5);
     const Vec3 center = box.low + h;
     const Vec3 a = triangle.a - center, b = triangle.b - center, c = triangle.c - center;

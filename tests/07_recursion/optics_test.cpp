@@ -220,7 +220,7 @@ TEST_CASE("at Brewster's angle only half of the light, the perpendicular polaris
     check_fresnel(2 / std::sqrt(13.0), 1 / 1.5, 25.0 / 338, 8 * u);
 }
 
-TEST_CASE("grazing light and light beyond the critical angle is mirrored whole", "[07.3]") {
+TEST_CASE("grazing light and light beyond the critical angle are mirrored whole", "[07.3]") {
     for (const auto check : {check_fresnel, check_schlick}) {
         check(0, 1 / 1.5, 1, 0);
         check(0, 1.5, 1, 0);
@@ -310,7 +310,7 @@ TEST_CASE("two ways one after the other absorb like one way of their sum", "[07.
     }
 }
 
-TEST_CASE("an infinite way leaves nothing, and all of it where nothing is absorbed", "[07.4]") {
+TEST_CASE("an infinite way leaves no light, and all of it where nothing is absorbed", "[07.4]") {
     check_transmitted({1, 1e-300, 0}, infinity, {0, 0, 1});
 }
 
@@ -341,7 +341,7 @@ TEST_CASE("by hand: a quarter of the wave in the film mirrors most, 0.1479, and 
     }
 }
 
-TEST_CASE("by hand: aslant the film acts like a thinner one, by the cosine inside of it", "[07.7]") {
+TEST_CASE("by hand: aslant the film acts like a thinner one, by the cosine inside it", "[07.7]") {
     // The angle of the cosine 0.8: 0.9165 inside, amplitudes 0.1339 and 0.2643.
     const Real inside = std::sqrt(0.84);
     check_film(0.8, 1.5, 532 / 1.5 / 4 / inside, 1, 0.15669, 0.00002);

@@ -69,7 +69,7 @@ TEST_CASE("refraction is right at and beside the critical angle, grazing, and be
     cancelling.must_have_failed();
 }
 
-TEST_CASE("light takes the same way back", "[07.2][stability]") {
+TEST_CASE("light goes back the same way", "[07.2][stability]") {
     if (!have_precise) return;
     Naive cancelling{"1 - eta²(1 - cos²)"};
     const auto way_back = [](const std::vector<InterfaceCase>& questions, auto method) {

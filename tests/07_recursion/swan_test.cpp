@@ -19,7 +19,7 @@ Scene ice() { return parse_scene(repository() + "/references/07_recursion/ice.sc
 
 }  // namespace
 
-TEST_CASE("the swan is one closed surface: each edge is there once in either direction", "[07.6]") {
+TEST_CASE("the swan is one closed surface: each edge occurs once in either direction", "[07.6]") {
     const Scene scene = ice();
     REQUIRE(scene.meshes.size() == 1);
     std::map<std::pair<int, int>, int> edges;

@@ -471,7 +471,7 @@ TEST_CASE("depth 1000 and 10000 between two facing mirrors: all terms, little me
     }
 }
 
-TEST_CASE("the tree of a glass ball in a mirrored room needs no more memory than a stack of its depth",
+TEST_CASE("the tree of a glass ball in a room of mirrors needs no more memory than a stack of its depth",
           "[07.6]") {
     const int depth = cases(16) < 16 ? 12 : 16;
     // Each meeting with the glass sends two rays on, and every ray meets something again.
@@ -516,7 +516,7 @@ TEST_CASE("rays are counted by their kinds", "[07.6]") {
     check(ball, {0, 0, 5}, 1, 2);
 }
 
-TEST_CASE("a lamp inside of a ball lights its inner side", "[07.6]") {
+TEST_CASE("a lamp inside a ball lights its inner side", "[07.6]") {
     // The ray meets the wall at (0, 0, -2), where the normal of the ball looks outwards, away from the lamp.
     const World world = world_of("point 0 0 0 .75 .5 .25\ndiffuse 1 1 1\nsphere 0 0 0 2\n");
     INFO(

@@ -283,7 +283,7 @@ TEST_CASE("a sphere that is not of radius 1, beside a face of the box", "[09.5]"
     check_overlaps(sphere, {{-0.1, -1.3, -1.3}, {2.1, 1.3, 1.3}});
 }
 
-TEST_CASE("a sphere that overlaps a box is never missed, and not made up", "[09.5]") {
+TEST_CASE("a sphere that overlaps a box is never missed, and none is made up", "[09.5]") {
     Random random(98);
     for (int k = 0; k < cases(20'000); ++k) {
         const Bounds box = some_box(random);
@@ -318,7 +318,7 @@ TEST_CASE("a triangle is apart from a box along an axis, its normal, or an edge 
     check_overlaps(Triangle{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, cube);
 }
 
-TEST_CASE("a triangle that overlaps a box is never missed, and not made up", "[09.6]") {
+TEST_CASE("a triangle that overlaps a box is never missed, and none is made up", "[09.6]") {
     Random random(98);
     int yes = 0, no = 0;
     for (int k = 0; k < cases(20'000); ++k) {
@@ -333,7 +333,7 @@ TEST_CASE("a triangle that overlaps a box is never missed, and not made up", "[0
     CHECK(no > cases(20'000) / 20);
 }
 
-TEST_CASE("tiny triangles, whose edges' products underflow, are where they are", "[09.6]") {
+TEST_CASE("tiny triangles, whose edges' products underflow, are found where they are", "[09.6]") {
     const Real s = 1e-170;
     const auto at = [&](const Vec3& p) { return Triangle{p, p + Vec3(s, 0, 0), p + Vec3(0, s, s)}; };
     for (const Real x : {0.0, 0.5, 1.0}) check_overlaps(at(Vec3(x)), unit_box);
@@ -376,7 +376,7 @@ TEST_CASE("a cell is a block of one, and the numbers of cells go along x, then y
                  {{1, 2, 0}, {2, 2, 0}, {3, 2, 0}, {1, 2, 1}, {2, 2, 1}, {3, 2, 1}});
 }
 
-TEST_CASE("a shape is in the cells that it comes as near as the margin", "[09.7]") {
+TEST_CASE("a shape is in the cells that it comes within the margin of", "[09.7]") {
     // Number 0 ends just before the boundary at x = 1, number 1 a little earlier, number 2 behind the grid.
     const Real places[] = {0.95, 0.85, 8.05};
     const Overlaps small = [&](std::uint32_t i, const Bounds& box) {

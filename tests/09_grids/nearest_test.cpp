@@ -274,7 +274,7 @@ TEST_CASE("rays from beyond the reach, or with numbers out of range, ask all the
     }
 }
 
-TEST_CASE("the numbers of rays begin anew after 2^32, and nothing old is mistaken", "[09.12]") {
+TEST_CASE("the numbers of rays begin anew after 2^32, and no old note is taken for a new one", "[09.12]") {
     const std::vector<Sphere> spheres = row_of_spheres(10);
     const Grid grid = grid_of(spheres);
     const Ray ray{{-5, 0, 0}, {1, 0, 0}};

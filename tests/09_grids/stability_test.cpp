@@ -163,7 +163,7 @@ TEST_CASE("the nearest hit by a grid is, to the bit, the nearest of all", "[09.1
     check_families(judge_nearest, cases(50'000), false);
 }
 
-TEST_CASE("any hit by a grid is whether there is one at all", "[09.12][stability]") {
+TEST_CASE("a grid finds a hit of a shadow ray if and only if there is one", "[09.12][stability]") {
     check_families(judge_any, cases(25'000), false);
 }
 
@@ -171,11 +171,11 @@ TEST_CASE("the nearest hit by grids in grids is, to the bit, the nearest of all"
     check_families(judge_nearest, cases(50'000), true);
 }
 
-TEST_CASE("any hit by grids in grids is whether there is one at all", "[09.14][stability]") {
+TEST_CASE("grids in grids find a hit of a shadow ray if and only if there is one", "[09.14][stability]") {
     check_families(judge_any, cases(25'000), true);
 }
 
-TEST_CASE("a search that stops at the first hit breaks on the families", "[stability]") {
+TEST_CASE("a search that stops at the first hit fails on the families", "[stability]") {
     std::size_t wrong = 0, asked = 0;
     for (const GridFamily& family : grid_families())
         for (std::uint64_t k = 0; k < 20; ++k) {

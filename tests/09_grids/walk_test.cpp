@@ -54,7 +54,7 @@ void check_cell(const Ray& ray, Real t, int expected) {
 
 }  // namespace
 
-TEST_CASE("by hand: the boundaries of the lesson's walk are at 0.8 and each 1 on, and at 0.2 and each 2 on",
+TEST_CASE("by hand: the lesson's walk meets boundaries at 0.8 and every 1 after, at 0.2 and every 2 after",
           "[09.9]") {
     const Ray ray{{-0.8, -0.1, 0.5}, {1, 0.5, 0}};
     check_boundaries(unit_cells({8, 5, 1}), ray, 0, {.t0 = 0.8, .delta = 1, .step = 1, .last = 8});
@@ -80,7 +80,7 @@ TEST_CASE("a ray that is parallel to the boundaries, or nearly, meets none", "[0
             check_boundaries(shape, {{x, 1, 1}, {d, 1, 0}}, 0, {});
 }
 
-TEST_CASE("going up, the cell at t is as many as there are boundaries that were met", "[09.10]") {
+TEST_CASE("going up, the number of the cell at t is how many boundaries have been met", "[09.10]") {
     // The boundaries 0, 1, 2, 3 and 4 are met at t = 1, 2, 3, 4 and 5.
     const Ray up{{-1, 0.5, 0.5}, {1, 0, 0}};
     check_cell(up, 1.5, 0);
