@@ -11,7 +11,7 @@ namespace rt {
 
 Real radical_inverse(int index, int base) {
     // 08.12  The digits of the index in this base, mirrored at the point: the last digit of the
-    // index becomes the first one behind the point.
+    // index becomes the first one after the point.
     return todo("08.12");
 }
 

@@ -45,7 +45,7 @@ std::vector<PixelSample> regular_samples(int count) {
 std::vector<PixelSample> jittered_samples(int count, Random random) {
     // 08.3  One sample in each stratum, in their order, at a random place: random_point(random)
     // draws a point of the unit square. A stratum contains its low edges but not its high ones. Rounding may
-    // put a sample on a high edge: then it lies on the low one instead.
+    // put a sample on a high edge: then it belongs on the low one instead.
     return todo("08.3");
 }
 

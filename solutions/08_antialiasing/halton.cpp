@@ -9,7 +9,7 @@ namespace rt {
 
 Real radical_inverse(int index, int base) {
     // [exercise 08.12] The digits of the index in this base, mirrored at the point: the last digit of the
-    // index becomes the first one behind the point.
+    // index becomes the first one after the point.
     long long mirrored = 0, scale = 1;
     for (; index > 0; index /= base) {
         mirrored = mirrored * base + index % base;

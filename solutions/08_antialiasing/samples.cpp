@@ -71,7 +71,7 @@ std::vector<PixelSample> regular_samples(int count) {
 std::vector<PixelSample> jittered_samples(int count, Random random) {
     // [exercise 08.3] One sample in each stratum, in their order, at a random place: random_point(random)
     // draws a point of the unit square. A stratum contains its low edges but not its high ones. Rounding may
-    // put a sample on a high edge: then it lies on the low one instead.
+    // put a sample on a high edge: then it belongs on the low one instead.
     std::vector<PixelSample> samples;
     samples.reserve(static_cast<std::size_t>(count));
     for (const auto& [low, high] : strata(count)) {

@@ -169,7 +169,7 @@ TEST_CASE("mean and standard error of 1, 2, 3, 4", "[08.9]") {
     CHECK(e.standard_error.z == e.standard_error.x);
 }
 
-TEST_CASE("fewer than two values say nothing of their error", "[08.9]") {
+TEST_CASE("fewer than two values say nothing about their error", "[08.9]") {
     INFO("mean and standard error of no values, then of one");
     CHECK(estimate({}).mean == Vec3(0));
     CHECK(estimate({}).standard_error == Vec3(infinity));
@@ -178,7 +178,7 @@ TEST_CASE("fewer than two values say nothing of their error", "[08.9]") {
     CHECK(estimate({&one, 1}).standard_error == Vec3(infinity));
 }
 
-TEST_CASE("values that are all the same have that mean and no error", "[08.9]") {
+TEST_CASE("equal values have that value as their mean, and no error", "[08.9]") {
     const std::vector<Vec3> values(1000, Vec3(0.1, 1e8, 1e-8));
     const Estimate e = estimate(values);
     for (int i = 0; i < 3; ++i) {
@@ -250,7 +250,7 @@ TEST_CASE("samples are shared out in proportion to the deviations", "[08.10]") {
     check_shares({1, 2, 1}, 7, {1.75, 3.5, 1.75});
 }
 
-TEST_CASE("no share is less than 1, and the others go without what that takes", "[08.10]") {
+TEST_CASE("no share is less than 1, and the others give up what that takes", "[08.10]") {
     check_shares({1, 2, 100}, 10, {1, 1, 8});
     // 9.9 · 5/48.9 is more than 1, but once the first has got its one there are 4 left, and 9.9 · 4/39.9 is
     // less.
@@ -312,7 +312,7 @@ TEST_CASE("of equal fractions the first are rounded up", "[08.11]") {
     }());
 }
 
-TEST_CASE("the counts of pixels come of their deviations", "[08.11]") {
+TEST_CASE("the counts of pixels come from their deviations", "[08.11]") {
     check_counts({0, 1, 3}, 9, {1, 2, 6});
     // 3.5, 2.1 and 1.4.
     check_counts({5, 3, 2}, 7, {4, 2, 1});

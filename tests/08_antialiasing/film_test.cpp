@@ -97,7 +97,7 @@ void check_color(const FilmPixel& pixel, const Vec3& expected, const char* sampl
 
 // 08.6 ---------------------------------------------------------------------------------------------------
 
-TEST_CASE("the box counts all alike that are not outside", "[08.6]") {
+TEST_CASE("the box counts alike all that lie within it", "[08.6]") {
     check_weight(box, {0, 0}, 1);
     check_weight(box, {0.25, -0.4}, 1);
     check_weight(box, {0.5, -0.5}, 1);
@@ -125,7 +125,7 @@ TEST_CASE("the Gaussian is a bell that reaches 0 at its end", "[08.6]") {
     check_weight(gaussian, {1.5, 0}, 0, 8 * u);
 }
 
-TEST_CASE("Mitchell's filter is 8/9 at its top and 1/18 half way, then negative", "[08.6]") {
+TEST_CASE("Mitchell's filter is 8/9 at its top and 1/18 halfway, then negative", "[08.6]") {
     const Real top = 8. / 9;
     check_weight(mitchell, {0, 0}, top * top, 4 * u);
     check_weight(mitchell, {1, 0}, top / 18, 4 * u);
@@ -171,7 +171,7 @@ TEST_CASE("filters are symmetric, products of what they do along each axis, and 
     }
 }
 
-TEST_CASE("filters but the box have no steps, not at their ends either", "[08.6]") {
+TEST_CASE("filters other than the box have no steps, not even at their ends", "[08.6]") {
     for (const Filter& filter : {tent, gaussian, mitchell}) {
         INFO("the " << name_of(filter) << ": the step between places a thousandth of the radius apart");
         const Real h = filter.radius / 1000;

@@ -237,7 +237,7 @@ TEST_CASE("each stratum has one jittered sample, and all weigh the same", "[08.3
     }
 }
 
-TEST_CASE("jittered samples come everywhere in their strata", "[08.3]") {
+TEST_CASE("jittered samples fall everywhere in their strata", "[08.3]") {
     const std::vector<Stratum> parts = strata(4);
     std::vector<Vec2> least(4, Vec2(infinity)), greatest(4, Vec2(-infinity));
     for (std::uint64_t k = 0; k < 500; ++k) {
@@ -425,7 +425,7 @@ TEST_CASE("trapezoid weights sum to 1, and make the mean of a slope and of a sad
     }
 }
 
-TEST_CASE("centered samples are regular ones and one more in the middle, of equal weight", "[08.5]") {
+TEST_CASE("centred samples are regular ones and one more in the middle, of equal weight", "[08.5]") {
     for (int count = 1; count <= 300; ++count) {
         INFO("asked for " << count << " samples");
         const std::vector<PixelSample> samples = centered_samples(count);
