@@ -16,8 +16,8 @@ namespace rt {
 Estimate estimate(std::span<const Vec3> values) {
     // 08.9  The mean of the n values, and its standard error √(s²/n) with the unbiased variance s²,
     // each channel by itself. Fewer than two values say nothing about the error, which is then ∞; the mean of
-    // no values is black. Nothing may cancel where the values are nearly equal: find s² in a second pass, from
-    // d = value − mean, and let Σd/n correct the mean, as the lesson says.
+    // no values is black. Nothing may cancel where the values are nearly equal: find s² in a second pass,
+    // from d = value − mean, and let Σd/n correct the mean, as the lesson says.
     return todo("08.9");
 }
 

@@ -25,8 +25,8 @@ std::vector<BookPage> book_pages(const Project& project, const std::vector<Chapt
 /// Writes the site into a directory: `index.html`, a page a source, `whole.html` with all of them to be
 /// printed, pictures, the files that lessons refer to, and what is needed to search. Nothing in it is loaded
 /// from elsewhere. Files that are there already are replaced, others stay. `told` is called before each page.
-/// Throws InputError if a lesson refers to a file or page that is not there, as in handouts some are not, or if
-/// the directory cannot be written, std::runtime_error if pandoc fails.
+/// Throws InputError if a lesson refers to a file or page that is not there, as in handouts some are not, or
+/// if the directory cannot be written, std::runtime_error if pandoc fails.
 void write_book(const Project& project, const std::vector<Chapter>& chapters,
                 const std::vector<BookPage>& pages, const std::filesystem::path& output,
                 const std::function<void(const BookPage&)>& told);

@@ -77,8 +77,8 @@ StepResult in_short(const StepResult& step) {
 void print_chapter(const Chapter& chapter, const ChapterResult& result) {
     const StepsDone done = steps_done(result);
     fmt::print("{}  {} of {}\n",
-               paint(fmt::format("Chapter {}: {}", chapter.number, chapter.title), Tone::Bold),
-               done.passed, counted(done.all, "step"));
+               paint(fmt::format("Chapter {}: {}", chapter.number, chapter.title), Tone::Bold), done.passed,
+               counted(done.all, "step"));
     if (!result.build_error.empty()) {
         fmt::print("  {} It does not build:\n      {}\n{}", paint("✗", Tone::Bad), result.build_error,
                    notes(result));

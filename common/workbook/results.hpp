@@ -40,7 +40,8 @@ ChapterResult all_todo(const Chapter& chapter);
 
 /// Whether nothing is left to do: optional steps need not be begun, unless nothing else was asked for.
 bool all_passed(const ChapterResult& result);
-/// How many steps there are, and how many have passed; optional ones are not counted, unless there are no others.
+/// How many steps there are, and how many have passed; optional ones are not counted, unless there are no
+/// others.
 struct StepsDone {
     int passed = 0, all = 0;
 };

@@ -115,7 +115,8 @@ std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, In
     //      greatest |z|. Outside of 1e-140 to 1e140 its square might leave the range of Real: leave such
     //      triangles to intersect_exactly, which is given.
     //   2. x and y are off by less than 8u · size. A triangle that surely lies to one side is missed.
-    //   3. The plain p.x·q.y − p.y·q.x of the edges are off by less than 128u · size². It is a miss where they
+    //   3. The plain p.x·q.y − p.y·q.x of the edges are off by less than 128u · size². It is a miss where
+    //   they
     //      surely have both signs; otherwise, where one is too close to 0, intersect_exactly decides.
     //   4. What is left is a sure hit, which hit_of_seen (03.6) finds.
     const Vec3 a = seen(ray, triangle.a);
