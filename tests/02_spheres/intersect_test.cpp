@@ -195,6 +195,10 @@ TEST_CASE("of two roots ahead the nearer is hit", "[02.3]") {
 
 TEST_CASE("a tangent ray hits", "[02.3]") { check_hit(unit_sphere, {{1, 0, 5}, {0, 0, -1}}, ahead, 5); }
 
+TEST_CASE("t of a hit counts lengths of the direction", "[02.3]") {
+    check_hit(unit_sphere, {{0, 0, 5}, {0, 0, -2}}, ahead, 2);
+}
+
 TEST_CASE("from inside the far side is hit", "[02.3]") {
     check_hit(unit_sphere, {{0, 0, 0}, {0, 0, -1}}, ahead, 1);
     check_hit(unit_sphere, {{0, 0, 0.5}, {0, 0, -1}}, ahead, 1.5);

@@ -87,8 +87,10 @@ TEST_CASE("any_hit stops at the first sphere that is hit", "[02.5]") {
     const Real all = seconds(false);
     spheres.front() = {{0, 0, 0}, 1};
     const Real first = seconds(true);
-    INFO("seconds where the first of 100,000 spheres is hit; a tenth of those where none is");
-    CHECK(first < all / 10);
+    INFO("where the first of 100,000 spheres is hit, the search took " << first << " s; where none is, "
+                                                                       << all << " s");
+    CHECK(
+        test::or_say(first < all / 10, "any_hit goes on after a hit, expected that it returns at the first"));
 }
 
 TEST_CASE("of equal distances the lowest index wins", "[02.5]") {

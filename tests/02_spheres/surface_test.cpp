@@ -27,13 +27,26 @@ void check_surface(const Sphere& sphere, const Ray& ray, const Vec3& point, cons
     const Surface surface = seen(sphere, ray);
     INFO(sphere << ", " << ray << "\nexpected point " << point << ", normal " << normal << "; found a "
                 << surface);
+    // The normal first: the point may follow from it.
     {
-        INFO("the point");
-        CHECK(test::near(surface.point, point, gamma(8) * (sphere.radius + length(sphere.center))));
+        INFO("the normal");
+        CHECK(test::near_direction(surface.normal, normal, gamma(8)));
     }
-    INFO("the normal, and the shading normal, which is the same");
-    CHECK(test::near_direction(surface.normal, normal, gamma(8)));
-    CHECK(test::near_direction(surface.shading_normal, normal, gamma(8)));
+    {
+        INFO("the shading normal, which is the same as the normal");
+        CHECK(test::near_direction(surface.shading_normal, normal, gamma(8)));
+    }
+    INFO("the point");
+    CHECK(test::near(surface.point, point, gamma(8) * (sphere.radius + length(sphere.center))));
+}
+
+void check_near_uv(const Vec2& uv, const Vec2& expected, Real tolerance) {
+    {
+        INFO("u, once around");
+        CHECK(test::near(uv.x, expected.x, tolerance));
+    }
+    INFO("v, from the south pole to the north pole");
+    CHECK(test::near(uv.y, expected.y, tolerance));
 }
 
 /// Texture coordinates of the unit sphere's point in direction `out`, seen from outside.
@@ -41,8 +54,8 @@ Vec2 uv_towards(const Vec3& out) { return sphere_uv(seen({{0, 0, 0}, 1}, {4.0 * 
 
 void check_uv(const Vec3& out, const Vec2& expected) {
     const Vec2 uv = uv_towards(out);
-    INFO("u and v of the unit sphere's point in direction " << out);
-    CHECK(test::near(uv, expected, 4 * unit_roundoff));
+    INFO("texture coordinates of the unit sphere's point in direction " << out);
+    check_near_uv(uv, expected, 4 * unit_roundoff);
 }
 
 /// A ray at a sphere of radius 10^±3, up to a thousand radii away, that is sure to hit it.
@@ -65,8 +78,8 @@ TEST_CASE("the lesson's example: at (0, 0, -6) the normal is (0, -0.6, 0.8), and
     const Ray ray{{0, 0, 0}, {0, 0, -1}};
     check_surface(sphere, ray, {0, 0, -6}, {0, -0.6, 0.8});
     const Vec2 uv = sphere_uv(seen(sphere, ray).normal);
-    INFO("u and v there: v is less than a half, below the equator");
-    CHECK(test::near(uv, {0.25, 0.2951672353008665}, 8 * unit_roundoff));
+    INFO("texture coordinates there: v is less than a half, below the equator");
+    check_near_uv(uv, {0.25, 0.2951672353008665}, 8 * unit_roundoff);
 }
 
 TEST_CASE("the normal of the unit sphere is the point itself", "[02.4]") {
@@ -154,13 +167,16 @@ TEST_CASE("the normal is a unit vector and leads from the centre to the point", 
         const Vec3 outward = surface.point - c.sphere.center;
         INFO(c.sphere << ": point " << surface.point << ", normal " << surface.normal);
         {
-            INFO("the length of the normal");
+            INFO(
+                "the length of the normal; divided by its own length, not by the radius, it is 1 to the last "
+                "bits");
             CHECK(test::near(length(surface.normal), 1, gamma(8)));
         }
         // The point is rounded to its own last bit, and the normal to a few of its own.
-        INFO("the way from the centre to the point: a radius along the normal");
+        INFO("the way from the centre to the point: a radius along the normal, however far the ray has come");
         CHECK(test::near(outward, c.sphere.radius * surface.normal,
                          gamma(8) * c.sphere.radius + gamma(2) * length(surface.point)));
+        INFO("the shading normal, which is the same as the normal");
         CHECK(surface.shading_normal == surface.normal);
     }
 }
