@@ -12,9 +12,9 @@
 #include "chapters/11_textures/sky.hpp"
 #include "chapters/11_textures/texture_coordinates.hpp"
 #include "common/image/compare.hpp"
-#include "references/11_textures/labels.hpp"
 #include "references/11_textures/lobe_figures.hpp"
 #include "references/11_textures/texture_pictures.hpp"
+#include "references/panels.hpp"
 #include "tests/support.hpp"
 
 #include <fmt/format.h>
@@ -93,23 +93,19 @@ Image magnified(bool smooth) {
     return image;
 }
 
-/// The levels of a mip map beside each other.
-Image levels() {
-    const MipMap map = mip_map(map_picture());
-    Image all = make_image(2 * map.levels[0].width + 40, map.levels[0].height);
-    for (Vec3& p : all.pixels) p = Vec3(1);
-    int left = 0;
-    for (const Image& level : map.levels) {
-        for (int y = 0; y < level.height; ++y)
-            for (int x = 0; x < level.width; ++x)
-                pixel(all, left + x, all.height - level.height + y) = pixel(level, x, y);
-        left += level.width + 5;
+/// The levels of a mip map beside each other, the first five with their numbers.
+Svg levels() {
+    const std::vector<Image> levels = mip_map(map_picture()).levels;
+    const Real top = 30, gap = 6;
+    Svg svg{.width = 2 * levels[0].width + 64, .height = levels[0].height + 36};
+    Vec2 corner(gap, top);
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        corner.y = top + levels[0].height - levels[k].height;
+        picture(svg, corner, levels[k]);
+        if (k < 5) text(svg, corner + Vec2(levels[k].width / 2.0, -8), std::to_string(k), heading);
+        corner.x += levels[k].width + gap;
     }
-    all = with_band(all);
-    left = 0;
-    for (std::size_t k = 0; k < 5; left += map.levels[k].width + 5, ++k)
-        write_words(all, left + map.levels[k].width / 2, map.levels[0].height + 5, std::to_string(k));
-    return all;
+    return svg;
 }
 
 // -------------------------------------------------------------------------------------------- patterns
@@ -124,15 +120,15 @@ Image slice(Real size, ValueAt value_at) {
     return image;
 }
 
-Image slices() {
+Svg slices() {
     const auto of = [](PatternKind kind) { return [kind](const Vec3& p) { return pattern_value(kind, p); }; };
-    return in_rows(with_words({slice(8, [](const Vec3& p) { return 0.5 + 0.5 * noise(p); }),
-                               slice(4, [](const Vec3& p) { return 0.7 * turbulence(p, 6); }),
-                               slice(6, of(PatternKind::Marble)), slice(30, of(PatternKind::Wood)),
-                               slice(8, [](const Vec3& p) { return 0.8 * cell_distances(p).first; }),
-                               slice(8, of(PatternKind::Cellular))},
-                              {"noise", "turbulence", "marble", "wood", "F1", "cells"}),
-                   3);
+    return side_by_side({{slice(8, [](const Vec3& p) { return 0.5 + 0.5 * noise(p); }), "noise"},
+                         {slice(4, [](const Vec3& p) { return 0.7 * turbulence(p, 6); }), "turbulence"},
+                         {slice(6, of(PatternKind::Marble)), "marble"},
+                         {slice(30, of(PatternKind::Wood)), "wood"},
+                         {slice(8, [](const Vec3& p) { return 0.8 * cell_distances(p).first; }), "F1"},
+                         {slice(8, of(PatternKind::Cellular)), "cells"}},
+                        3);
 }
 
 /// Noise whose weights are linear in the offset.
@@ -164,10 +160,10 @@ Image sheet(HeightAt height_at) {
     return image;
 }
 
-Image creases() {
-    return in_rows(with_words({sheet(noise_without_fade), sheet([](const Vec3& p) { return noise(p); })},
-                              {"linear: creases", "fade: smooth"}),
-                   2);
+Svg creases() {
+    return side_by_side({{sheet(noise_without_fade), "linear: creases"},
+                         {sheet([](const Vec3& p) { return noise(p); }), "fade: smooth"}},
+                        2);
 }
 
 // ----------------------------------------------------------------------------------------------- bumps
@@ -193,15 +189,18 @@ std::string led_back() {
 // ------------------------------------------------------------------------------------------------- sky
 
 /// The same sky in each of the three layouts.
-Image sky_maps() {
+Svg sky_maps() {
     const Sky sky = ImageSky{std::make_shared<const Image>(sunset_picture())};
-    std::vector<Image> images;
-    for (const SkyMap map : {SkyMap::LatitudeLongitude, SkyMap::Angular, SkyMap::MirrorBall})
-        images.push_back(picture_from(180, 180, [&](Real u, Real v) {
+    const auto in = [&](SkyMap map) {
+        return picture_from(180, 180, [&](Real u, Real v) {
             const std::optional<Vec3> direction = sky_direction(map, {u, v});
             return direction ? sky_radiance(sky, *direction) : Vec3(1);
-        }));
-    return in_rows(with_words(images, {"world", "light probe", "mirrored ball"}), 3);
+        });
+    };
+    return side_by_side({{in(SkyMap::LatitudeLongitude), "world"},
+                         {in(SkyMap::Angular), "light probe"},
+                         {in(SkyMap::MirrorBall), "mirrored ball"}},
+                        3);
 }
 
 /// E(n)/π as the sum over all pixels of the sky.
@@ -227,9 +226,10 @@ Image one_point_of_light() {
 }
 
 /// White balls under a sky: by the sum over the sky, by nine numbers, and eight times the difference.
-Image balls_under(const Image& sky) {
+std::array<Image, 3> balls_under(const Image& sky) {
     const SkyLight light = projected(sky);
-    std::vector<Image> images(3, make_image(150, 150));
+    std::array<Image, 3> images;
+    images.fill(make_image(150, 150));
     for (int y = 0; y < 150; ++y)
         for (int x = 0; x < 150; ++x) {
             const Vec2 at((x - 74.5) / 72, (74.5 - y) / 72);
@@ -239,7 +239,17 @@ Image balls_under(const Image& sky) {
             pixel(images[0], x, y) = summed, pixel(images[1], x, y) = nine;
             pixel(images[2], x, y) = 8.0 * glm::abs(nine - summed);
         }
-    return in_rows(with_words(images, {"all pixels", "nine numbers", "error by 8"}), 3);
+    return images;
+}
+
+/// Such balls under two skies, a row each.
+Svg balls() {
+    std::vector<Panel> panels;
+    for (const Image& sky : {halved(halved(sunset_picture())), one_point_of_light()}) {
+        const auto [summed, nine, error] = balls_under(sky);
+        panels.insert(panels.end(), {{summed, "all pixels"}, {nine, "nine numbers"}, {error, "error × 8"}});
+    }
+    return side_by_side(panels, 3);
 }
 
 /// How wrong nine numbers are, over all normals, as a part of what arrives at most.
@@ -278,13 +288,15 @@ Scene horizon(TextureFilter filter, int samples, int width, int height) {
 
 Image picture_of(const Scene& scene) { return render(compile(scene)).image; }
 
-Image ways_to_the_horizon() {
-    return in_rows(with_words({picture_of(horizon(TextureFilter::Bilinear, 1, 280, 210)),
-                               picture_of(horizon(TextureFilter::Trilinear, 1, 280, 210)),
-                               picture_of(horizon(TextureFilter::Anisotropic, 1, 280, 210)),
-                               picture_of(horizon(TextureFilter::Bilinear, 256, 280, 210))},
-                              {"bilinear", "trilinear", "anisotropic", "bilinear, 256 samples"}),
-                   2);
+Svg ways_to_the_horizon() {
+    const auto by = [](TextureFilter filter, int samples) {
+        return picture_of(horizon(filter, samples, 280, 210));
+    };
+    return side_by_side({{by(TextureFilter::Bilinear, 1), "bilinear"},
+                         {by(TextureFilter::Trilinear, 1), "trilinear"},
+                         {by(TextureFilter::Anisotropic, 1), "anisotropic"},
+                         {by(TextureFilter::Bilinear, 256), "bilinear, 256 samples"}},
+                        2);
 }
 
 /// How wrong the picture of the floor alone is by each filter, against 1024 samples a pixel.
@@ -378,31 +390,18 @@ std::string numbers() {
 
 // --------------------------------------------------------------------------------------------- figures
 
-/// The four balls, and what they are made of.
-void draw_finishes(const Path& out) {
-    const Scene scene = scene_beside(__FILE__, "finishes");
-    Image image = with_band(render(compile(scene)).image);
-    const std::array<const char*, 4> words{"clay", "velvet", "metal", "paint"};
-    for (int i = 0; i < 4; ++i)
-        write_words(image, 45 + 77 * i, scene.height + 5, words[static_cast<std::size_t>(i)]);
-    write_image(out / "finishes.png", image, scene.encoding);
-}
-
 void draw_all(const Path& out) {
     draw_texture_pictures(out);
-    write_image(out / "perspective.png",
-                in_rows(with_words({floor_of_two_triangles(false), floor_of_two_triangles(true)},
-                                   {"linear on screen: no", "on the floor: right"}),
-                        2));
-    write_image(out / "between_texels.png",
-                in_rows(with_words({magnified(false), magnified(true)}, {"nearest", "bilinear"}), 2));
-    write_image(out / "levels.png", levels());
-    write_image(out / "slices.png", slices());
-    write_image(out / "creases.png", creases());
-    write_image(out / "sky_maps.png", sky_maps());
-    write_image(
-        out / "nine_numbers.png",
-        in_rows({balls_under(halved(halved(sunset_picture()))), balls_under(one_point_of_light())}, 1));
+    write_svg(out / "perspective.svg", side_by_side({{floor_of_two_triangles(false), "linear on screen: no"},
+                                                     {floor_of_two_triangles(true), "on the floor: right"}},
+                                                    2));
+    write_svg(out / "between_texels.svg",
+              side_by_side({{magnified(false), "nearest"}, {magnified(true), "bilinear"}}, 2));
+    write_svg(out / "levels.svg", levels());
+    write_svg(out / "slices.svg", slices());
+    write_svg(out / "creases.svg", creases());
+    write_svg(out / "sky_maps.svg", sky_maps());
+    write_svg(out / "nine_numbers.svg", balls());
     write_file(out / "nine_numbers.csv", nine_numbers());
     write_file(out / "led_back.csv", led_back());
     write_file(out / "filter_errors.csv", filter_errors());
@@ -413,12 +412,11 @@ void draw_all(const Path& out) {
     write_file(out / "numbers.csv", numbers());
     write_svg(out / "furnace.svg", furnace_curves());
     write_svg(out / "lobes.svg", lobes_cut_open());
-    write_image(out / "white_furnace.png", white_furnace());
-    write_image(out / "ways_to_the_horizon.png", ways_to_the_horizon());
+    write_svg(out / "white_furnace.svg", white_furnace());
+    write_svg(out / "ways_to_the_horizon.svg", ways_to_the_horizon());
     draw_scenes(out, __FILE__, {"shapes", "globe", "patterns", "marble", "cells", "bumps", "skylight"}, 240,
                 180);
-    draw_finishes(out);
-    draw_scenes(out, __FILE__, {"evening", "horizon"});
+    draw_scenes(out, __FILE__, {"evening", "finishes", "horizon"});
 }
 
 }  // namespace

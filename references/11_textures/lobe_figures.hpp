@@ -4,8 +4,8 @@
 
 #include "chapters/07_recursion/optics.hpp"
 #include "chapters/11_textures/lobes.hpp"
-#include "references/11_textures/labels.hpp"
 #include "references/figures.hpp"
+#include "references/panels.hpp"
 #include "tests/stability/lobe_charts.hpp"
 
 #include <fmt/format.h>
@@ -225,10 +225,10 @@ inline Svg lobes_cut_open() {
 /// Balls under an even sky that is as bright as what is behind them, seen from far away: what returns all
 /// light is not seen. Metal of α = 0.01, 0.25 and 1, glass of α = 0.25; matte and velvet of σ = 1, white
 /// paint without its coat's mirror, and with it.
-inline Image white_furnace() {
+inline Svg white_furnace() {
     const Vec3 sky(0.8);
-    std::vector<Image> images;
-    const auto add = [&](const NamedLobe& one, bool with_mirror = false) {
+    std::vector<Panel> panels;
+    const auto add = [&](const NamedLobe& one, const std::string& words, bool with_mirror = false) {
         std::array<Real, 65> table{};  // between them it is linear
         for (std::size_t i = 0; i < table.size(); ++i) {
             const Real cosine = std::max(static_cast<Real>(i) / 64, 0.01);
@@ -246,13 +246,13 @@ inline Image white_furnace() {
                 const Real rest = place - static_cast<Real>(i);
                 pixel(image, x, y) *= (1 - rest) * table[i] + rest * table[i + 1];
             }
-        images.push_back(image);
+        panels.push_back({image, words});
     };
-    add(metal(0.01)), add(metal(0.25)), add(metal(1)), add(glass(0.25));
-    add(matte(1)), add(velvet(1)), add(coated(1)), add(coated(1), true);
-    return in_rows(with_words(images, {"metal 0.01", "metal 0.25", "metal 1", "glass 0.25", "clay", "velvet",
-                                       "paint", "varnished"}),
-                   4, 0);
+    for (const Real alpha : {0.01, 0.25, 1.0}) add(metal(alpha), fmt::format("metal {}", alpha));
+    add(glass(0.25), "glass 0.25");
+    add(matte(1), "clay"), add(velvet(1), "velvet"), add(coated(1), "paint");
+    add(coated(1), "varnished", true);
+    return side_by_side(panels, 4);
 }
 
 }  // namespace rt::figures
