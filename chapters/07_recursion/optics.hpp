@@ -36,7 +36,7 @@ inline constexpr Vec3 wavelengths(630, 532, 465);
 
 /// [07.7] The part of unpolarised light that a thin film in air mirrors, in red, green and blue.
 ///
-/// `cos_i` in (0, 1]; `ior` ≥ 1, of the film; `thickness` ≥ 0, in nanometres. Light is a wave: what is
+/// `cos_i` from 1e-6 to 1; `ior` ≥ 1, of the film; `thickness` ≥ 0, in nanometres. Light is a wave: what is
 /// mirrored at the front and what comes back from inside, after any number of reflections there, meet with
 /// their phases (Airy 1833). From front to back and forth again the phase grows by 2·2π·ior·thickness·cosₜ/λ.
 Vec3 soap_film(Real cos_i, Real ior, Real thickness);

@@ -105,6 +105,14 @@ std::string whole_html(const std::vector<BookPage>& pages, const std::vector<Fra
     return page_from("common/book/pages/book.mustache", view);
 }
 
+/// The picture of a chapter's first scene, from the root; empty if there is none.
+fs::path cover_of(const Project& project, const Chapter& chapter) {
+    if (chapter.scenes.empty()) return {};
+    const fs::path scene = fs::path("references") / chapter.name / chapter.scenes.front();
+    const fs::path picture = fs::path(scene).replace_extension(".png");
+    return fs::exists(project.root / picture) ? picture : fs::path();
+}
+
 std::string index_html(const Project& project, const std::vector<Chapter>& chapters,
                        const std::vector<BookPage>& pages) {
     PageView view = base_view(name_of_book, "");
@@ -112,13 +120,11 @@ std::string index_html(const Project& project, const std::vector<Chapter>& chapt
     view["cards_title"] = name_of_book;
     view["cards"] = PageView::array();
     for (const Chapter& chapter : chapters) {
-        const fs::path cover = fs::path("references") / chapter.name /
-                               fs::path(chapter.scenes.front()).replace_extension(".png");
         view["cards"].push_back({{"href", file_of(chapter, "README.md")},
                                  {"name", fmt::format("{} {}", std::stoi(chapter.number), chapter.title)},
                                  {"summary", chapter.summary},
                                  {"hours", counted(chapter.hours, "hour")},
-                                 {"cover", fs::exists(project.root / cover) ? cover.string() : ""}});
+                                 {"cover", cover_of(project, chapter).string()}});
     }
     return page_from("common/book/pages/book.mustache", view);
 }
@@ -160,9 +166,8 @@ void write_parts(const Project& project, const std::vector<Chapter>& chapters,
         files.insert(fragment.files.begin(), fragment.files.end());
     }
     for (const Chapter& chapter : chapters) {
-        const fs::path cover = fs::path("references") / chapter.name /
-                               fs::path(chapter.scenes.front()).replace_extension(".png");
-        if (fs::exists(project.root / cover)) pictures.insert(cover);
+        const fs::path cover = cover_of(project, chapter);
+        if (!cover.empty()) pictures.insert(cover);
     }
     for (const fs::path& picture : pictures) copy_file_to(project.root / picture, output / picture);
     for (const fs::path& file : files) write_source(project, file, output);

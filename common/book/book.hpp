@@ -15,7 +15,7 @@ struct BookPage {
     std::filesystem::path source;  ///< from the repository's root, "chapters/02_spheres/README.md"
     std::string file;              ///< "02_spheres.html"
     std::string chapter;           ///< its number, "02"; empty for what belongs to none
-    std::string title;             ///< its first line, "Spheres"
+    std::string title;             ///< its first line, "2 Spheres"
 };
 
 /// The lessons' pages in the order in which they are read, then the scene language. Throws InputError for a
@@ -25,8 +25,9 @@ std::vector<BookPage> book_pages(const Project& project, const std::vector<Chapt
 /// Writes the site into a directory: `index.html`, a page a source, `whole.html` with all of them to be
 /// printed, pictures, the files that lessons refer to, and what is needed to search. Nothing in it is loaded
 /// from elsewhere. Files that are there already are replaced, others stay. `told` is called before each page.
-/// Throws InputError if a lesson refers to a file or page that is not there, as in handouts some are not, or
-/// if the directory cannot be written, std::runtime_error if pandoc fails.
+/// In a handout links to what is hidden become plain text. Throws InputError if a lesson refers to a file or
+/// page that is not there, outside of handouts, or if the directory cannot be written, std::runtime_error if
+/// pandoc fails or warns.
 void write_book(const Project& project, const std::vector<Chapter>& chapters,
                 const std::vector<BookPage>& pages, const std::filesystem::path& output,
                 const std::function<void(const BookPage&)>& told);

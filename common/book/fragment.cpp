@@ -34,15 +34,16 @@ std::string metadata(const Project& project, const BookPage& page, const std::ve
 std::string run_pandoc(const Project& project, const BookPage& page, const fs::path& facts) {
     ProcessOptions options;
     options.output_limit = std::size_t{64} << 20;
+    options.merge_errors = false;
     const ProcessResult result = run_process(
-        {"pandoc", "--from", "gfm+tex_math_dollars", "--to", "html5", "--mathml", "--metadata-file",
-         facts.string(), "--lua-filter", (project.root / "common/book/pages/book.lua").string(),
-         (project.root / page.source).string()},
+        {"pandoc", "--fail-if-warnings", "--from", "gfm+tex_math_dollars", "--to", "html5", "--mathml",
+         "--metadata-file", facts.string(), "--lua-filter",
+         (project.root / "common/book/pages/book.lua").string(), (project.root / page.source).string()},
         options);
     if (result.exit_code == 127)
         throw InputError("pandoc is missing; install it: sudo apt-get install pandoc");
     if (!succeeded(result))
-        throw std::runtime_error(fmt::format("pandoc failed on {}: {}", page.source.string(), result.output));
+        throw std::runtime_error(fmt::format("pandoc failed on {}", page.source.string()));
     return result.output;
 }
 
@@ -73,11 +74,6 @@ std::vector<BookSection> sections_of(const std::string& html) {
     }
     if (!sections.empty()) sections.back().body = html.substr(body);
     return sections;
-}
-
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
 }
 
 /// Parentheses grow with what they enclose only where the formula says so; pandoc 2 lets all of them grow,

@@ -18,11 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-}
-
 /// The same number in the notation of computers.
 std::string plain(std::string text) {
     const std::pair<const char*, const char*> raised[] = {{"⁻", "-"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"},
@@ -88,10 +83,12 @@ std::size_t column(const Table& table, const std::string& name) {
     return static_cast<std::size_t>(found - table.columns.begin());
 }
 
+/// The same text, or the same number where the table has nothing but a number there.
 bool same_key(const std::string& written, const std::string& stored) {
     if (written == stored) return true;
+    if (stored.empty() || stored.find_first_not_of("0123456789.e+-") != std::string::npos) return false;
     const auto a = last_number(written), b = last_number(stored);
-    return a && b && a->value == b->value && std::isdigit(static_cast<unsigned char>(stored.back()));
+    return a && b && a->value == b->value;
 }
 
 const std::vector<std::string>& row(const Table& table, const std::string& key, std::size_t among) {
@@ -241,12 +238,19 @@ std::vector<std::string> wrong_numbers(const std::string& page, const std::strin
             if (std::regex_match(lines[i], mark, table) && mark[1] != "by hand")
                 for (const std::string& what : check_table(lines, i + 1, words_of(mark[1]), figures, root))
                     add(what);
-            std::size_t from = 0;
+            else if (lines[i].find("<!-- table") != std::string::npos && mark.empty())
+                add("expected a line <!-- table FILE \"column\" … --> or <!-- table by hand -->");
+            std::size_t from = 0, marks = 0;
             for (std::sregex_iterator k(lines[i].begin(), lines[i].end(), number), end; k != end; ++k) {
                 const auto at = static_cast<std::size_t>(k->position());
                 add(check_number(lines[i].substr(from, at - from), words_of((*k)[1]), figures, root));
                 from = at + static_cast<std::size_t>(k->length());
+                ++marks;
             }
+            for (auto at = lines[i].find("<!-- ="); at != std::string::npos;
+                 at = lines[i].find("<!-- =", at + 1))
+                --marks;
+            if (marks != 0) add("expected <!-- = FILE \"row\" \"column\" --> on one line");
         } catch (const InputError& error) {
             add(error.what());
         }

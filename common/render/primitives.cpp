@@ -62,6 +62,7 @@ struct PrimitiveBuilder {
         for (const Object& one : scene.objects) {
             object = &one;
             transform = transforms.of(one);
+            is_mirrored = transform && glm::determinant(Mat3(transform->to_world)) < 0;
             spin = last_spin(one);
             std::visit([&](const auto& shape) { add(shape); }, one.shape);
         }
@@ -152,6 +153,12 @@ struct PrimitiveBuilder {
     bool shows_picture() const {
         return (!world.textures.empty() && world.textures[object->material].picture.image) ||
                (!world.normal_maps.empty() && world.normal_maps[object->material].image);
+    }
+
+    /// Whether its lamps shine through, which depends on what is outside.
+    bool is_rough_glass() const {
+        const std::int32_t finish = scene.materials[object->material].finish;
+        return finish >= 0 && scene.finishes[static_cast<std::size_t>(finish)].kind == FinishKind::Glass;
     }
 
     bool moves() const { return object->motion != Vec3(0) || spin >= 0; }
@@ -251,16 +258,26 @@ struct PrimitiveBuilder {
         append(ellipsoid);
     }
 
-    /// Whether the object's transform turns the way round a face, and with it the side that its normal is on.
-    bool is_mirrored() const { return transform && glm::determinant(Mat3(transform->to_world)) < 0; }
+    void add(const Face& face) {
+        const bool is_smooth = world.needs.normals && face.normals;
+        if (moves() && (is_smooth || world.needs.uvs)) {
+            check_corners(face.triangle);
+            return add_moving(face);
+        }
+        if (is_mirrored)
+            bake(other_way_round(face), is_smooth);
+        else
+            bake(face, is_smooth);
+    }
 
-    void add(const Face& given) {
-        const Face face = is_mirrored() && !moves() ? other_way_round(given) : given;
-        const Triangle& t = face.triangle;
+    Triangle check_corners(const Triangle& t) const {
         const Triangle baked{point(t.a), point(t.b), point(t.c)};
         limits().check_corners(std::array{baked.a, baked.b, baked.c});
-        const bool is_smooth = world.needs.normals && face.normals;
-        if (moves() && (is_smooth || world.needs.uvs)) return add_moving(face);
+        return baked;
+    }
+
+    void bake(const Face& face, bool is_smooth) {
+        const Triangle baked = check_corners(face.triangle);
         if (is_smooth) {
             // Not made unit vectors again: the map is linear, so interpolating its images is the same as
             // mapping what was interpolated, as instances do.
@@ -310,7 +327,10 @@ struct PrimitiveBuilder {
         for (const std::uint32_t index : polygon.vertex)
             shape.vertices.push_back(point(scene.vertices[index]));
         // A picture lies between the corners that were named last, first and second.
-        if (is_mirrored() && !shows_picture()) std::reverse(shape.vertices.begin() + 1, shape.vertices.end());
+        if (is_mirrored && !shows_picture()) std::reverse(shape.vertices.begin() + 1, shape.vertices.end());
+        if (is_mirrored && shows_picture() && is_rough_glass())
+            limits().fail(
+                "a polygon of rough glass with a picture that 'scale' mirrors: make it of triangles");
         limits().check_corners(shape.vertices);
         if (shows_picture() && texture_point(shape, shape.vertices.front(), 0).du == Vec3(0))
             limits().fail(
@@ -394,6 +414,7 @@ struct PrimitiveBuilder {
 
     const Object* object = nullptr;      ///< the one being added,
     std::optional<Transform> transform;  ///< its transform,
+    bool is_mirrored = false;            ///< whether that turns the way round a face, and so its outside,
     int spin = -1;                       ///< and, as last_spin, its turns
 
     Combination* tree = nullptr;      ///< whose parts are being added, if any are,

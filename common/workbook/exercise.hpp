@@ -31,6 +31,9 @@ std::string exercise_text(std::string_view solution, const std::string& file);
 /// The solution as a reader wants it: the marker lines gone, the tasks' comments too.
 std::string solution_text(std::string_view solution, const std::string& file);
 
+/// Every `from` becomes `to`.
+void replace_all(std::string& text, const std::string& from, const std::string& to);
+
 /// Text cut at line ends, which are dropped; a last line without an end counts.
 std::vector<std::string> split_lines(std::string_view text);
 

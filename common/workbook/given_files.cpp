@@ -118,6 +118,7 @@ std::string restore_command(const GivenChanges& changes) {
     std::string command = "git restore";
     // Without a source git takes what is staged.
     if (changes.committed || changes.staged) command += " --source=" + changes.commit.substr(0, 10);
+    if (changes.staged) command += " --staged --worktree";
     for (std::size_t i = 0; i < std::min(changes.files.size(), most_named); ++i)
         command += " " + changes.files[i].path;
     return command;

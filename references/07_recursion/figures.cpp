@@ -218,7 +218,7 @@ void draw_cancellation(const Path& directory) {
     write_file(directory / "cancellation.csv", csv);
 }
 
-/// How many of 1000 random cases between nearly equal media break the bound of the tests.
+/// What percentage of 100,000 random cases between nearly equal media break the bound of the tests.
 void count_failures() {
     const auto families = stability::interface_families();
     const auto nearly_equal =

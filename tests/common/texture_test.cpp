@@ -482,7 +482,8 @@ TEST_CASE("rough glass sends on light from behind, in one direction as in the ot
     // The side on which a face has its corners counter-clockwise is outside, and stays so in a mirror.
     const std::string corners = "vertex -9 -9 0\nvertex 9 -9 0\nvertex 0 9 0\n";
     for (const std::string face : {"tri 0 1 2\n", "polygon 0 1 2\n", "disc 0 0 0 0 0 1 9\n"})
-        for (const std::string transform : {"", "scale -1 1 1\n", "scale 1 -1 1\n"}) {
+        for (const std::string transform :
+             {"", "scale -1 1 1\n", "scale 1 -1 1\n", "motion 0 0 .001\nscale -1 1 1\n"}) {
             INFO(transform << face);
             CHECK(test::near(pixel(picture_with(glass + behind + corners + transform + face), 3, 3),
                              Vec3(0.3456), 1e-9));

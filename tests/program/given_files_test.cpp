@@ -69,9 +69,11 @@ TEST_CASE("one that was staged comes back, too") {
     const Clone clone;
     test::write(clone.shared, "struct Ray {}\n");
     clone.in_git({"add", "--all"});
-    CHECK(restore_command(given_changes(clone.project)) == "git restore --source=HEAD common/math/ray.hpp");
-    clone.in_git({"restore", "--source=HEAD", "common/math/ray.hpp"});
+    CHECK(restore_command(given_changes(clone.project)) ==
+          "git restore --source=HEAD --staged --worktree common/math/ray.hpp");
+    clone.in_git({"restore", "--source=HEAD", "--staged", "--worktree", "common/math/ray.hpp"});
     CHECK(clone.words().empty());
+    CHECK(clone.in_git({"diff", "--cached", "--name-only"}).empty());
 }
 
 TEST_CASE("one that was committed by accident comes back, too") {

@@ -246,6 +246,10 @@ TEST_CASE("a number in a lesson that is not its table's is found", "[lessons]") 
     const std::string table =
         "<!-- table a.csv \"h\" \"time, in s\" * 1000 - \"off\" -->\n| h | ms | | off |\n|-|-|-|-|\n";
     CHECK(wrong(table + "| 10² | 69 | x | 7·10⁻¹⁶ |\n| 10⁴ | 1500 | y | **3** |\n") == Lines{});
+    CHECK(wrong("<!-- table a.csv \"h\" \"off\" --> x") ==
+          Lines{"p.md:1: expected a line <!-- table FILE \"column\" … --> or <!-- table by hand -->"});
+    CHECK(wrong("3<!-- = a.csv \"1e4\"\n\"off\" -->") ==
+          Lines{"p.md:1: expected <!-- = FILE \"row\" \"column\" --> on one line"});
     CHECK(wrong(table + "| 10² | 69 | x | 8·10⁻¹⁶ |\n") ==
           Lines{"p.md:1: 8e-16 should be 7e-16 (a.csv, 10²)"});
 }

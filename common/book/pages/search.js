@@ -25,7 +25,7 @@ function prepare() {
     this.field('page', {boost: 3});
     this.field('text');
     sections.forEach((section, number) => this.add({number, ...section}));
-  }));
+  })).catch(error => { ready = null; throw error; });
   return ready;
 }
 
@@ -61,7 +61,9 @@ function show(results, words) {
 query.addEventListener('input', async () => {
   const words = query.value.toLowerCase().split(/[^\p{L}\p{N}]+/u).filter(Boolean);
   if (words.length === 0) { found.hidden = true; return; }
-  show(matches(await prepare(), words), words);
+  const typed = query.value;
+  const index = await prepare();
+  if (query.value === typed) show(matches(index, words), words);  // else a later call is on its way
 });
 query.addEventListener('focus', prepare);
 document.addEventListener('click', event => { if (!event.target.closest('.search')) found.hidden = true; });
