@@ -31,7 +31,7 @@ Boundaries boundaries_along(const GridShape& shape, const Ray& ray, int axis);
 /// boundaries that 09.9 computes: a ray that goes up comes from cell 0, one that goes down from the last,
 /// and at t it has gone on by a cell for each boundary between two cells that it meets at t or before. One
 /// that meets no boundaries is in the cell of its origin (at a boundary, up to rounding, in either beside
-/// it), or in the first or the last if it starts outside.
+/// it), or in the first or the last if it starts outside. Any cell where t or the ray is not a number.
 int cell_at(const GridShape& shape, const Ray& ray, int axis, const Boundaries& boundaries, Real t);
 
 /// [09.11] The cells along the ray in order, from the first that it is in within `range` and the box

@@ -79,6 +79,19 @@ Mat4 some_map(Random& random) {
 
 }  // namespace
 
+TEST_CASE("the box around an instance reaches as far as the ball around its mesh, stretched with it",
+          "[09.1]") {
+    SharedMesh mesh;
+    mesh.bound = {{1, 0, 0}, 2};
+    Mat4 there(1);
+    there[0][0] = 3, there[3][1] = 5;
+    const std::optional<Mat4> back = inverse(there);
+    REQUIRE(back);
+    check_bounds("mesh in a ball of radius 2 around (1, 0, 0), three times as wide along x and moved up by 5",
+                 Instance{{there, *back}, {std::make_shared<const SharedMesh>(mesh)}},
+                 {{-3, 3, -2}, {9, 7, 2}});
+}
+
 TEST_CASE("the box of a sphere touches it at the ends of the axes", "[09.1]") {
     check_bounds(show(Sphere{{1, 2, 3}, 2}), Sphere{{1, 2, 3}, 2}, {{-1, 0, 1}, {3, 4, 5}});
     check_bounds(show(Sphere{{0, 0, 0}, 0.5}), Sphere{{0, 0, 0}, 0.5}, {Vec3(-0.5), Vec3(0.5)});

@@ -120,6 +120,19 @@ TEST_CASE("where no boundary is met, the cell is that of the origin", "[09.10]")
     }
 }
 
+TEST_CASE("the cell is one of the grid's, also where t or the ray is not a number", "[09.10]") {
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    const Boundaries up{.t0 = 0, .delta = 1, .step = 1, .last = 4}, none;
+    const auto check = [&](const Ray& ray, const Boundaries& boundaries, Real t) {
+        const int cell = cell_at(unit_cells({4, 1, 1}), ray, 0, boundaries, t);
+        INFO("4 cells along x, " << ray << ": the cell at t = " << t);
+        CHECK(or_say(0 <= cell && cell < 4, "cell number " + std::to_string(cell) + ", expected 0 to 3"));
+    };
+    check({{0, 0.5, 0.5}, {1, 0, 0}}, up, nan);
+    check({{nan, 0.5, 0.5}, {1, 0, 0}}, none, 1);
+    check({{nan, 0.5, 0.5}, {0, 1, 0}}, none, nan);
+}
+
 TEST_CASE("where division rounds to the wrong side of a boundary, the boundary itself decides", "[09.10]") {
     Random random(921);
     for (int k = 0; k < cases(20'000); ++k) {
