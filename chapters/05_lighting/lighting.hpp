@@ -14,7 +14,8 @@ struct LightSample {
 
 /// [05.1] Light of a point light at `point`: color / (c + l·d + q·d²) at distance d, in world units. Where
 /// the light stands on the point itself: black, with distance 0. Black, too, where the quotient is not a
-/// finite number, because the light stands so near, or the attenuation is not positive. Never NaN.
+/// finite number, because the light stands so near or the divisor is 0. No part of the attenuation is
+/// negative. Never NaN.
 LightSample sample_light(const PointLight& light, const Vec3& point);
 
 /// [05.1] Light of a directional light: the same everywhere. `light.direction` is a unit vector.

@@ -83,12 +83,16 @@ std::size_t column(const Table& table, const std::string& name) {
     return static_cast<std::size_t>(found - table.columns.begin());
 }
 
-/// The same text, or the same number where the table has nothing but a number there.
+/// The same text, or the same words and the same number behind them.
 bool same_key(const std::string& written, const std::string& stored) {
     if (written == stored) return true;
-    if (stored.empty() || stored.find_first_not_of("0123456789.e+-") != std::string::npos) return false;
+    const auto words = [](const std::string& text) {
+        const std::string all = plain(text);
+        return all.substr(0, all.find_first_of("-.0123456789"));
+    };
     const auto a = last_number(written), b = last_number(stored);
-    return a && b && a->value == b->value;
+    return words(written) == words(stored) && a && b && a->value == b->value &&
+           std::isdigit(static_cast<unsigned char>(stored.back()));
 }
 
 const std::vector<std::string>& row(const Table& table, const std::string& key, std::size_t among) {

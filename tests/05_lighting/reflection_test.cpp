@@ -351,7 +351,7 @@ TEST_CASE("what a surface shows without light is ambient plus emission", "[05.5]
     CHECK(near_color(emitted_light(material), {0.375, 0.25, 0.5}, 0));
 }
 
-TEST_CASE("a million lights add up", "[05.5]") {
+TEST_CASE("the light of very many lamps adds up", "[05.5]") {
     const int count = cases(1'000'000);
     World world;
     world.point_lights.assign(
