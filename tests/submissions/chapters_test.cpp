@@ -69,6 +69,6 @@ TEST_CASE("a chapter has all its marks where every other chapter of the submissi
         const Grade grade = grader.grade(submission);
         INFO(test::told(grade));
         CHECK(grade.steps.size() == chapter.steps.size());
-        CHECK(earned(grade) == possible(grade));
+        for (const GradedStep& step : grade.steps) CHECK(text_of(step.earned) == text_of(step.possible));
     }
 }
