@@ -17,6 +17,14 @@ using namespace rt;
 
 namespace {
 
+/// What was earned without the optional step, whose points are extra credit.
+Points required_points(const Grade& grade) {
+    Points sum;
+    for (const GradedStep& step : grade.steps)
+        if (!step.extra) sum.hundredths += step.earned.hundredths;
+    return sum;
+}
+
 /// One file of attacks/: lines `why`, `earns`, and where they matter `file` (else it is plane.cpp)
 /// and `says`; then the text between `--- add` (to the solution of that file) or `--- instead` (of it) and
 /// `--- end`.
@@ -104,9 +112,9 @@ void check_attack(Grader& grader, const Chapter& chapter, const Attack& attack) 
     const Grade grade = grader.grade(of(chapter, attack));
     INFO(attack.name << "\n" << test::told(grade));
     if (attack.at_most)
-        CHECK(earned(grade) <= whole_points(attack.earns));
+        CHECK(required_points(grade) <= whole_points(attack.earns));
     else
-        CHECK(text_of(earned(grade)) == text_of(whole_points(attack.earns)));
+        CHECK(text_of(required_points(grade)) == text_of(whole_points(attack.earns)));
     if (!attack.says.empty()) CHECK(test::somebody_said(grade, attack.says));
     CHECK(settles([] { return traces().empty(); }));
     check_keeps_silent(grade, private_words(this_project()));
@@ -127,7 +135,7 @@ TEST_CASE("attacks on the grader get their marks, and leave the machine as it wa
     options.call_seconds = 2;
     Grader grader(course.project, options);
     const Submission perfect = test::perfect(course.marked);
-    CHECK(text_of(earned(grader.grade(perfect))) == "80");  // 10 of them extra credit
+    CHECK(text_of(required_points(grader.grade(perfect))) == "70");
 
     test::fresh_directory("");
     const std::vector<std::string> before = test::surroundings();
@@ -141,7 +149,7 @@ TEST_CASE("attacks on the grader get their marks, and leave the machine as it wa
     CHECK(settles([&] { return test::surroundings() == before; }));
 
     // Nobody's work after that was harmed by it.
-    CHECK(text_of(earned(grader.grade(perfect))) == "80");  // 10 of them extra credit
+    CHECK(text_of(required_points(grader.grade(perfect))) == "70");
 }
 
 TEST_CASE("whoever takes too long loses what was not yet tested, and nothing that was", "[attacks]") {
@@ -159,6 +167,6 @@ TEST_CASE("whoever takes too long loses what was not yet tested, and nothing tha
     text.insert(0, "#include <unistd.h>\n");
     const Grade grade = grader.grade(slow);
     INFO(test::told(grade));
-    CHECK(text_of(earned(grade)) == "40");  // the camera's, and the fisheye's
+    CHECK(text_of(required_points(grade)) == "30");  // the camera's
     CHECK(test::somebody_said(grade, "took longer than 5 s"));
 }
