@@ -149,6 +149,17 @@ std::vector<Real> cautious(const Picture& picture, const std::vector<Real>& foun
     return deviations;
 }
 
+/// Of up to 60 pixels, some of them 0 and one of them 1.
+std::vector<Real> deviations_of_pixels(test::Random& random) {
+    std::vector<Real> deviations;
+    const std::size_t pixels = 1 + random.index(60);
+    const Real spread = random.uniform(0, 6);
+    for (std::size_t k = 0; k < pixels; ++k)
+        deviations.push_back(random.index(5) == 0 ? 0 : random.magnitude(-spread, spread));
+    deviations[random.index(pixels)] = 1;
+    return deviations;
+}
+
 }  // namespace
 
 // 08.9 ---------------------------------------------------------------------------------------------------
@@ -269,12 +280,8 @@ TEST_CASE("without deviations all shares are the same, and infinite ones share w
 TEST_CASE("shares are the greater of 1 and the deviation times a number, the same for all", "[08.10]") {
     test::Random random(881);
     for (int i = 0; i < cases(300); ++i) {
-        std::vector<Real> deviations;
-        const std::size_t pixels = 1 + random.index(60);
-        const Real spread = random.uniform(0, 6);
-        for (std::size_t k = 0; k < pixels; ++k)
-            deviations.push_back(random.index(5) == 0 ? 0 : random.magnitude(-spread, spread));
-        deviations[random.index(pixels)] = 1;
+        const std::vector<Real> deviations = deviations_of_pixels(random);
+        const std::size_t pixels = deviations.size();
         const auto total = static_cast<long long>(pixels + 1 + random.index(3000));
         const std::vector<Real> found = sample_shares(deviations, total),
                                 expected = shares(deviations, total);
@@ -326,12 +333,8 @@ TEST_CASE("the counts of pixels come from their deviations", "[08.11]") {
 TEST_CASE("all the samples are spent, and no pixel gets one more or less than its share", "[08.11]") {
     test::Random random(881);
     for (int i = 0; i < cases(300); ++i) {
-        std::vector<Real> deviations;
-        const std::size_t pixels = 1 + random.index(60);
-        const Real spread = random.uniform(0, 6);
-        for (std::size_t k = 0; k < pixels; ++k)
-            deviations.push_back(random.index(5) == 0 ? 0 : random.magnitude(-spread, spread));
-        deviations[random.index(pixels)] = 1;
+        const std::vector<Real> deviations = deviations_of_pixels(random);
+        const std::size_t pixels = deviations.size();
         const auto total = static_cast<long long>(pixels + random.index(3000));
         const std::vector<int> counts = sample_counts(deviations, total);
         INFO(pixels << " pixels, " << total << " samples: " << show(counts));
