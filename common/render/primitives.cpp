@@ -327,7 +327,8 @@ struct PrimitiveBuilder {
         for (const std::uint32_t index : polygon.vertex)
             shape.vertices.push_back(point(scene.vertices[index]));
         // A picture lies between the corners that were named last, first and second.
-        if (is_mirrored && !shows_picture()) std::reverse(shape.vertices.begin() + 1, shape.vertices.end());
+        const bool has_place = shows_picture() || row_of(scene.integrator).uvs;
+        if (is_mirrored && !has_place) std::reverse(shape.vertices.begin() + 1, shape.vertices.end());
         if (is_mirrored && shows_picture() && is_rough_glass())
             limits().fail(
                 "a polygon of rough glass with a picture that 'scale' mirrors: make it of triangles");

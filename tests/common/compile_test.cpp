@@ -174,6 +174,27 @@ TEST_CASE("a reflection keeps working for every kind of object", "[compile]") {
     CHECK(different <= 2);
 }
 
+TEST_CASE("in a mirror every face keeps its texture coordinates", "[compile]") {
+    const std::string objects =
+        "vertex -1 -1 0\nvertex 0 -1 0.5\nvertex 0.1 1 0.5\nvertex -.9 0.8 0\n"
+        "polygon 0 1 2 3\ntranslate 1.1 0 0\ntri 0 1 2\n" +
+        square_mesh(true);
+    const Image plain = render(world_of("integrator uv\n" + objects)).image;
+    const Image mirrored = render(world_of("integrator uv\nscale -1 1 1\n" + objects)).image;
+    int different = 0, seen = 0;
+    for (int y = 0; y < plain.height; ++y)
+        for (int x = 0; x < plain.width; ++x) {
+            const Vec3 here = pixel(plain, x, y), there = pixel(mirrored, plain.width - 1 - x, y);
+            seen += here.x != here.y;
+            different += length(there - here) > 1e-9;
+        }
+    INFO("a polygon, a triangle and a mesh under `integrator uv`, and all of it under `scale -1 1 1`: pixels that are "
+         "not the mirrored picture's");
+    CAPTURE(seen);
+    CHECK(seen > 100);
+    CHECK(different <= 2);
+}
+
 // --------------------------------------------------------------------------------------------- sharing
 
 TEST_CASE("a mesh that is shown twice is kept once, in its own space", "[compile]") {

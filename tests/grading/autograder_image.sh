@@ -57,17 +57,17 @@ marked() {
 
 submission=$place/submission
 cp solutions/$chapter/*.cpp "$submission"
-marked "all solved" 70 "isolation: user"
+marked "all solved" 80 "isolation: user"
 cp chapters/$chapter/*.cpp "$submission"
 marked "as handed out" 0 "todo"
 cp solutions/$chapter/*.cpp "$submission"
 echo "int moon(" >>"$submission/$attacked"
-marked "a file does not compile" 30 "not compiled"
+marked "a file does not compile" 40 "not compiled"
 
 # The solution's name can be seen, but nothing can be read: not by the compiler ...
 secret=/autograder/source/course/solutions/$chapter/$attacked
 echo "#include \"$secret\"" >"$submission/$attacked"
-marked "an attack that includes the solution" 30 "not compiled"
+marked "an attack that includes the solution" 40 "not compiled"
 # ... and not by the program, which is right as soon as it can read anything, and else ends itself.
 {
     cat solutions/$chapter/$attacked

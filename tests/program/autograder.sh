@@ -50,12 +50,12 @@ sum() { grep -oE '"score": [0-9.]+' results/results.json | awk '{ sum += $2 } EN
 cp "$COURSE_ROOT"/solutions/01_ray_casting/*.cpp submission
 marked
 results "all solved"
-[ "$(sum)" = 70 ] || fail "what is solved has all points" "$(cat said results/results.json)"
+[ "$(sum)" = 80 ] || fail "what is solved has all 70 points, and 10 for the optional step" "$(cat said results/results.json)"
 [ "$(stat -c %A source | cut -c 5-)" = "------" ] || fail "others cannot get at the tree"
 
 echo '{"created_at": "2027-03-01T13:00:00.25+00:00"}' >submission_metadata.json
 marked
-[ "$(sum)" = 35 ] || fail "late work has what the rubric leaves" "$(cat said results/results.json)"
+[ "$(sum)" = 40 ] || fail "late work has what the rubric leaves" "$(cat said results/results.json)"
 
 rm submission/*
 echo "notes" >submission/notes.txt

@@ -6,7 +6,8 @@ set -eu
 . "$(dirname "$0")/scratch/marking.sh"
 begin_in "marked class"
 
-# Three students: all of chapter 1, all but its planes, and nothing at all.
+# Three students: all of chapter 1, its optional step, which counts beside the 70 points, included; its camera alone; and
+# nothing at all.
 for student in ada ben cleo; do
     mkdir -p "submissions/$student/chapters"
     cp -R "$COURSE_ROOT/chapters/01_ray_casting" "submissions/$student/chapters"
@@ -30,7 +31,7 @@ level=$(best_of bwrap user none)
 expect "the class is marked" 0 "" "$course" grade submissions/* --chapter 01 --seed 5 --isolation "$level" -o marks.csv
 marks=$(cut -d, -f1,3,4 marks.csv)
 expected="submission,earned,possible
-ada,70,70
+ada,80,70
 ben,30,70
 cleo,0,70"
 [ "$marks" = "$expected" ] || fail "each has the marks of what works" "$marks"
@@ -49,9 +50,9 @@ echo '{"version": 1, "due": {"01": "2027-03-01T12:00Z"}, "late": [{"hours": 24, 
 printf '%s\n' ada,2027-03-01T12:00:00Z ben,2027-03-01T14:00:00+01:00 >times.csv
 mark_archives() { "$course" grade ada.zip ben.tar.gz --chapter 01 --seed 5 --isolation "$level" --rubric rubric.json "$@"; }
 expect "archives" 0 "nothing counts as late: --submitted" mark_archives -o marks.csv
-[ "$(cut -d, -f1,3 marks.csv)" = "$(printf 'submission,earned\nada,70\nben,30')" ] || fail "archives have their marks" "$(cat marks.csv)"
+[ "$(cut -d, -f1,3 marks.csv)" = "$(printf 'submission,earned\nada,80\nben,30')" ] || fail "archives have their marks" "$(cat marks.csv)"
 expect "late work" 0 "" mark_archives --submitted times.csv -o marks.csv
-[ "$(cut -d, -f1,3 marks.csv)" = "$(printf 'submission,earned\nada,70\nben,15')" ] || fail "late work has less" "$(cat marks.csv)"
+[ "$(cut -d, -f1,3 marks.csv)" = "$(printf 'submission,earned\nada,80\nben,15')" ] || fail "late work has less" "$(cat marks.csv)"
 sed -i 2d times.csv
 expect "a time that is missing" 2 "times.csv: it does not say when ben was handed in" mark_archives --submitted times.csv
 
@@ -60,7 +61,7 @@ mkdir -p bad/nobody
 head -c "$(($(stat -c %s ada.zip) / 2))" ada.zip >bad/dan.zip
 expect "a class with bad submissions" 0 "bad/dan.zip: not taken: it cannot be unpacked: " \
     "$course" grade ada.zip bad/* --chapter 01 --seed 5 --isolation "$level" -o marks.csv
-[ "$(cut -d, -f1,3,4 marks.csv)" = "$(printf 'submission,earned,possible\nada,70,70\ndan,0,70\nnobody,0,70')" ] ||
+[ "$(cut -d, -f1,3,4 marks.csv)" = "$(printf 'submission,earned,possible\nada,80,70\ndan,0,70\nnobody,0,70')" ] ||
     fail "bad submissions keep nobody from having marks" "$(cat marks.csv)"
 expect "a student reads why" 0 "what was handed in cannot be unpacked" \
     "$course" grade bad/dan.zip --chapter 01 --seed 5 --isolation "$level" --format gradescope

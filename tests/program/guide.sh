@@ -61,7 +61,7 @@ follow README.md
 for handed in $(blocks "" README.md | grep -o '^submissions/[a-z.]*'); do
     [ -e "$handed" ] || fail "$handed is in the class that hands in"
 done
-[ "$(cut -d, -f1,3,4 marks.csv)" = "$(printf 'submission,earned,possible\nada,70,70\nben,30,70\ncleo,30,70')" ] ||
+[ "$(cut -d, -f1,3,4 marks.csv)" = "$(printf 'submission,earned,possible\nada,80,70\nben,30,70\ncleo,40,70')" ] ||
     fail "each has the marks of what works" "$(cat marks.csv)"
 for section in "Common mistakes" "Crashed, or stopped otherwise"; do
     grep -q "<h2[^>]*>$section<" class.html || fail "the page has what the guide says: $section"

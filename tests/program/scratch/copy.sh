@@ -46,9 +46,13 @@ go_to_copy() {
     cd "$COURSE_ROOT" || exit
     # With their times, by which files are seen to be the same.
     cp -pR CMakeLists.txt course common chapters solutions references tests "$BORROWER"
-    # There are hundreds, CMake has a program for each, and nobody builds them here.
-    rm -rf "$BORROWER"/tests/*/mistakes "$BORROWER"/tests/*/variants
     cd "$BORROWER" || exit
+    # There are hundreds, CMake has a program for each, and nobody builds them here. Lessons show some.
+    rm -rf tests/*/variants
+    grep -rhoE '<!-- mistake [^ ]+' chapters | sed 's/.* //' | sort >"$COURSE_BUILD/scratch/shown"
+    find tests -name '*.mistake' | while IFS= read -r mistake; do
+        grep -qx "$(basename "$mistake" .mistake)" "$COURSE_BUILD/scratch/shown" || rm "$mistake"
+    done
 }
 
 # finish: the closing line, and the script's status.
