@@ -186,7 +186,7 @@ void draw_fresnel(const Path& directory) {
 
 /// How far `refract` is off where a ray grazes the border between equal media, and so should go straight on.
 void draw_cancellation(const Path& directory) {
-    Svg svg{.width = 700, .height = 330};
+    Svg svg{.width = 700, .height = 340};
     text(svg, {370, 26}, "From glass into the same glass: how far off is the ray?", heading);
     const Plot plot{{95, 45}, {575, 215}, {1e-10, 1, true}, {1e-17, 1e-7, true}};
     draw_axes(svg, plot,
