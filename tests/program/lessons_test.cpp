@@ -165,7 +165,8 @@ TEST_CASE("a lesson works one example by hand, and shows code and a mistake", "[
     }
 }
 
-TEST_CASE("a lesson ends with three to five challenges, one of which is an optional step", "[lessons]") {
+TEST_CASE("a lesson ends with three to five challenges, one an optional step, the others with answers",
+          "[lessons]") {
     for (const Chapter& chapter : chapters()) {
         const Page page = pages(chapter).back();
         INFO(page.name);
@@ -179,6 +180,12 @@ TEST_CASE("a lesson ends with three to five challenges, one of which is an optio
                           [](const auto& line) { return std::regex_search(line, std::regex("^\\d\\. ")); });
         CHECK(challenges >= 3);
         CHECK(challenges <= 5);
+        // Its tests answer the optional step; what the others ask is answered behind a fold.
+        const auto answers =
+            std::count_if(page.prose.begin() + static_cast<std::ptrdiff_t>(first),
+                          page.prose.begin() + static_cast<std::ptrdiff_t>(last),
+                          [](const auto& line) { return has(line, "<summary>Answer</summary>"); });
+        CHECK(answers + 1 >= challenges);
         CHECK(std::ranges::any_of(chapter.steps, &Step::optional));
         CHECK(!chapter.steps.front().optional);
     }
