@@ -1,12 +1,16 @@
-// What the programs that draw the lessons' figures have in common: fonts, axes, rows of pictures, their main.
+// What the programs that draw the lessons' figures have in common: fonts, axes, rows of pictures, numbers,
+// their main.
 #pragma once
 
 #include "common/image/file.hpp"
 #include "common/image/svg.hpp"
+#include "common/image/whole_file.hpp"
 #include "common/math/input_error.hpp"
 #include "common/render/compile.hpp"
 #include "common/render/render.hpp"
 #include "common/scene/parse.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +123,22 @@ inline void draw_scenes(const Path& directory, const char* source, std::initiali
         write_image(directory / (std::string(name) + ".png"), render(compile(scene)).image, scene.encoding);
     }
 }
+
+// Numbers -----------------------------------------------------------------------------------------------
+
+/// The numbers of a lesson that stand in no other table: numbers.csv, a name and a value a line.
+struct Numbers {
+    std::string csv = "name,value\n";
+
+    /// A value that needs rounding comes as text. A name with a comma is put into quotes.
+    template <class Value>
+    void add(const std::string& name, const Value& value) {
+        const char* quote = name.find(',') == std::string::npos ? "" : "\"";
+        csv += fmt::format("{0}{1}{0},{2}\n", quote, name, value);
+    }
+
+    void write(const Path& directory) const { write_file(directory / "numbers.csv", csv); }
+};
 
 /// What main does: draws into the directory that is the only argument. Returns the exit status, 2 for a wrong
 /// command line or scene.

@@ -16,8 +16,7 @@ namespace rt {
 Estimate estimate(std::span<const Vec3> values) {
     // 08.9  The mean of the n values, and its standard error √(s²/n) with the unbiased variance s²,
     // each channel by itself. Fewer than two values say nothing about the error, which is then ∞; the mean of
-    // no values is black. Nothing may cancel where the values are nearly equal: find s² in a second pass,
-    // from d = value − mean, and let Σd/n correct the mean, as the lesson says.
+    // no values is black. Both must keep their digits where the values are nearly equal.
     return todo("08.9");
 }
 
@@ -31,8 +30,7 @@ std::vector<Real> sample_shares(std::span<const Real> deviations, long long tota
         weights.push_back(deviation == greatest ? 1 : deviation / greatest);
     }
     // 08.10  The shares of the pixels are in proportion to their `weights` and sum to `total`, but
-    // none is below 1. So a pixel whose share would be less gets 1, and the others share what is then left.
-    // That makes their shares smaller: see whether one of them is now below 1.
+    // none is below 1: a pixel whose share would be less gets 1, and the others share what is then left.
     return todo("08.10");
 }
 

@@ -46,7 +46,7 @@ Real pdf(const RoughMetal& metal, const Vec3& to_light, const Vec3& to_viewer) {
 }
 
 std::optional<LobeSample> sample(const RoughMetal& metal, const Vec3& to_viewer, const Vec3& random) {
-    // 11.17  Draw a facet that the viewer sees, and return the light that it mirrors to him. What
+    // 11.17  Draw a facet that the viewer sees, and return the light that it mirrors there. What
     // is left of f·cos/pdf?
     return todo("11.17");
 }

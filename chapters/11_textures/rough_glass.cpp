@@ -45,7 +45,7 @@ Vec3 evaluate(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_view
 }
 
 std::optional<LobeSample> sample(const RoughGlass& glass, const Vec3& to_viewer, const Vec3& random) {
-    // 11.19  Draw a facet that the viewer sees, whichever side he is on; let random.z decide
+    // 11.19  Draw a facet that the viewer sees, from whichever side; let random.z decide
     // whether it mirrors or lets through. Return nothing where the light is on the wrong side.
     return todo("11.19");
 }

@@ -32,7 +32,7 @@ Real pdf(const Velvet& velvet, const Vec3& to_light, const Vec3& to_viewer) {
 
 std::optional<LobeSample> sample(const Velvet& velvet, const Vec3& to_viewer, const Vec3& random) {
     // 11.21  Draw a facet with the density D·cosθ, let random.z choose it or its partner as the
-    // viewer sees them, and return the light that the chosen one mirrors to him.
+    // viewer sees them, and return the light that the chosen one mirrors there.
     return todo("11.21");
 }
 

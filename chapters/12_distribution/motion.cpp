@@ -1,6 +1,6 @@
 // Motion blur: when light comes in, and how a ray sees what moves meanwhile.
 // The lesson uses the same letters: o and c for how long the shutter opens and closes, A for all the light, θ
-// for an angle, and r for how far the farthest corner is from the center.
+// for an angle, and r for how far the farthest corner is from the centre.
 #include "chapters/12_distribution/motion.hpp"
 
 #include "common/math/error.hpp"
@@ -42,7 +42,7 @@ Interval arc_range(Real x, Real y, Real angle) {
 
 namespace {
 
-/// The eight corners of a box, as seen from the center. Given.
+/// The eight corners of a box, as seen from the centre. Given.
 [[maybe_unused]] std::array<Vec3, 8> corners_from(const Vec3& center, const Bounds& bounds) {
     std::array<Vec3, 8> corners;
     for (std::size_t i = 0; i < 8; ++i) {

@@ -21,12 +21,6 @@ const SvgFont label{.size = 20, .italic = true};
 const SvgFont remark{.size = 18, .color = "#666666"};
 const SvgFont plain{.size = 18};
 
-/// Numbers that the lesson says, for figures/numbers.csv.
-struct Numbers {
-    std::string csv = "name,value\n";
-    void add(const char* name, const std::string& value) { csv += std::string(name) + "," + value + "\n"; }
-};
-
 /// 1234567 as "1,234,567".
 std::string grouped(long long value) {
     std::string digits = std::to_string(value);
@@ -107,7 +101,7 @@ void draw_forward_backward(const Path& directory, Numbers& numbers) {
     const Real expected = static_cast<Real>(photons) * share_entering(room, pi * 0.1 * 0.1);
     // A picture of 320 × 240 pixels with a hundred photons each, at ten million photons a second.
     const Real needed = 320 * 240 * 100 / pinhole, years = needed / 1e7 / (365.25 * 24 * 3600);
-    numbers.add("of a million photons into 20 cm", std::to_string(entered));
+    numbers.add("of a million photons into 20 cm", entered);
     numbers.add("the same by integration", fmt::format("{:.1f}", expected));
     numbers.add("photons for one into 1 mm", fmt::format("{:.4e}", 1 / pinhole));
     numbers.add("photons for a picture", fmt::format("{:.3e}", needed));
@@ -422,8 +416,8 @@ void draw_flicker(const Path& directory, Numbers& numbers) {
             pixel(after, x, y) = stable;
         }
     }
-    numbers.add("pixels of the ground", std::to_string(all));
-    numbers.add("wrong pixels of the ground", std::to_string(wrong));
+    numbers.add("pixels of the ground", all);
+    numbers.add("wrong pixels of the ground", wrong);
     write_svg(directory / "flicker.svg",
               side_by_side({{before, "the point as computed"}, {after, "point + error of surface_at"}}, 2));
 }
@@ -497,7 +491,7 @@ void draw_all(const Path& directory) {
     draw_flicker(directory, numbers);
     draw_up(directory);
     draw_fisheye(directory);
-    write_file(directory / "numbers.csv", numbers.csv);
+    numbers.write(directory);
     draw_scenes(directory, __FILE__, {"directions", "horizon", "orthographic", "planes"});
 }
 

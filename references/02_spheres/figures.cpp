@@ -2,6 +2,7 @@
 // Usage: figures_02 DIRECTORY
 #include "references/figures.hpp"
 #include "chapters/02_spheres/sphere.hpp"
+#include "common/render/integrators.hpp"
 #include "references/panels.hpp"
 #include "tests/oracle/sphere.hpp"
 #include "tests/stability/naive.hpp"
@@ -229,8 +230,6 @@ using Look = std::function<Vec3(const Ray&)>;
 
 const Vec3 nothing{0.02, 0.02, 0.03};
 
-Vec3 as_color(const Vec3& n) { return 0.5 * (n + 1.0); }
-
 /// The loop over all spheres with a choice of root and of hit that the lesson's reader might make.
 Look mistaken(const std::function<std::optional<Real>(const Roots&)>& choose, bool keep_last,
               const std::function<Vec3(const Sphere&, const Vec3&)>& normal) {
@@ -243,7 +242,8 @@ Look mistaken(const std::function<std::optional<Real>(const Roots&)>& choose, bo
             const std::optional<Real> t = choose(roots);
             if (!t || (*t > nearest && !keep_last)) continue;
             nearest = *t;
-            color = as_color(normal(sphere, point_at(ray, *t)));
+            // Coloured as `integrator normals` does.
+            color = 0.5 * (turned_to_viewer(normal(sphere, point_at(ray, *t)), ray.direction) + 1.0);
         }
         return color;
     };
@@ -268,7 +268,6 @@ void draw_mistakes(const Path& out) {
     const auto farther = [](const Roots& r) { return r.t1 > 0 ? std::optional(r.t1) : std::nullopt; };
     const auto unchecked = [](const Roots& r) { return std::optional(r.t0); };
     const auto outward = [](const Sphere& s, const Vec3& p) { return normalize(p - s.center); };
-    const auto inward = [](const Sphere& s, const Vec3& p) { return normalize(s.center - p); };
     const auto long_normal = [](const Sphere& s, const Vec3& p) { return p - s.center; };
     const Look right = mistaken(nearer, false, outward);
     write_svg(out / "wrong_roots.svg",
@@ -277,7 +276,7 @@ void draw_mistakes(const Path& out) {
                                                {mistaken(unchecked, false, outward), "behind the eye"}}),
                                     3));
     write_svg(out / "wrong_surfaces.svg",
-              figures::side_by_side(panels_of({{mistaken(nearer, false, inward), "normals inwards"},
+              figures::side_by_side(panels_of({{right, "right"},
                                                {mistaken(nearer, false, long_normal), "not unit vectors"},
                                                {mistaken(nearer, true, outward), "last one wins"}}),
                                     3));

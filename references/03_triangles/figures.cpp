@@ -469,9 +469,11 @@ void draw_all(const figures::Path& out) {
 
     write_file(out / "decisions.csv", decisions());
     write_file(out / "normals_of_needles.csv", normals_of_needles());
-    write_file(out / "numbers.csv",
-               fmt::format("name,value\nneedles,{}\nrays at edges of the knot,{}\ndecisions,{}\n", needles,
-                           rays_at_edges, decided));
+    figures::Numbers numbers;
+    numbers.add("needles", needles);
+    numbers.add("rays at edges of the knot", rays_at_edges);
+    numbers.add("decisions", decided);
+    numbers.write(out);
 
     figures::draw_scenes(out, __FILE__, {"flat", "smooth", "polygon", "mixed", "uv"});
     const Measured spheres{0, 0, 160, 120}, small{15, 10, 160, 120}, middling{60, 10, 160, 120};

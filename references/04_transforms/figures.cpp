@@ -402,16 +402,18 @@ std::string forest_times() {
 }
 
 /// Numbers that the lesson says in passing.
-std::string numbers() {
+figures::Numbers lesson_numbers() {
     const Scene whole = parse_scene(fs::path(__FILE__).parent_path() / "forest.scene");
     const World world = compile(whole);
     const std::size_t triangles = world.meshes.front()->triangles.shapes.size();
-    return fmt::format(
-        "name,value\n\"bytes of the forest, by course explain\",{}\ntrees,{}\ntriangles of a "
-        "tree,{}\n\"bytes of "
-        "all its triangles, written out\",{}\ncosine of 90 degrees,{:.1e}\n",
-        explain(whole, world).bytes, whole.objects.size(), triangles,
-        whole.objects.size() * triangles * sizeof(Triangle), std::cos(radians(90)));
+    figures::Numbers numbers;
+    numbers.add("bytes of the forest, by course explain", explain(whole, world).bytes);
+    numbers.add("trees", whole.objects.size());
+    numbers.add("triangles of a tree", triangles);
+    numbers.add("bytes of all its triangles, written out",
+                whole.objects.size() * triangles * sizeof(Triangle));
+    numbers.add("cosine of 90 degrees", fmt::format("{:.1e}", std::cos(radians(90))));
+    return numbers;
 }
 
 void draw_all(const figures::Path& out) {
@@ -425,7 +427,7 @@ void draw_all(const figures::Path& out) {
     write_file(out / "hits.csv", hits());
     write_file(out / "forest.csv", forest());
     write_file(out / "measured_forest.csv", forest_times());
-    write_file(out / "numbers.csv", numbers());
+    lesson_numbers().write(out);
     figures::draw_scenes(out, __FILE__, {"ellipsoids", "stack", "axes", "instanced", "forest"}, 240, 180);
 }
 

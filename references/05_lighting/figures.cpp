@@ -412,7 +412,7 @@ void draw_normalised(const Path& directory) {
 Real luminance(const Vec3& c) { return dot(c, Vec3(0.2126, 0.7152, 0.0722)); }
 
 /// Four times the light of a scene: cut off at 1, exposed for a quarter of the time, and by a tone curve.
-void draw_above_one(const Path& directory, std::string& numbers) {
+void draw_above_one(const Path& directory, Numbers& numbers) {
     Image bright = render(compile(scene_beside(__FILE__, "highlights", 224, 168))).image;
     int above = 0;
     for (Vec3& p : bright.pixels) {
@@ -424,8 +424,8 @@ void draw_above_one(const Path& directory, std::string& numbers) {
     for (Vec3& p : curved.pixels) p /= 1 + luminance(p);
     write_svg(directory / "above_one.svg",
               side_by_side({{bright, "cut off at 1"}, {exposed, "exposure 1/4"}, {curved, "tone curve"}}, 3));
-    numbers += fmt::format("percent of pixels above 1,{:.1f}\n",
-                           100.0 * above / static_cast<double>(bright.pixels.size()));
+    numbers.add("percent of pixels above 1",
+                fmt::format("{:.1f}", 100.0 * above / static_cast<double>(bright.pixels.size())));
 }
 
 /// The exponent g whose curve x^(1/g) is nearest to the curve of sRGB, by the mean square over [0, 1].
@@ -445,15 +445,14 @@ Real nearest_power() {
     return best;
 }
 
-void write_numbers(const Path& directory, std::string numbers) {
-    numbers += fmt::format("light of the byte 128,{:.4f}\n", decode(128 / 255.0, Encoding::Srgb));
-    numbers += fmt::format("byte of half the light,{}\n", encode_byte(0.5, Encoding::Srgb));
-    numbers += fmt::format("nearest plain power,{:.2f}\n", nearest_power());
-    write_file(directory / "numbers.csv", "name,value\n" + numbers);
+void note_encoding(Numbers& numbers) {
+    numbers.add("light of the byte 128", fmt::format("{:.4f}", decode(128 / 255.0, Encoding::Srgb)));
+    numbers.add("byte of half the light", encode_byte(0.5, Encoding::Srgb));
+    numbers.add("nearest plain power", fmt::format("{:.2f}", nearest_power()));
 }
 
 void draw_all(const Path& directory) {
-    std::string numbers;
+    Numbers numbers;
     draw_goals(directory);
     draw_cosine(directory);
     draw_vectors(directory);
@@ -467,7 +466,8 @@ void draw_all(const Path& directory) {
     draw_normalised(directory);
     draw_above_one(directory, numbers);
     write_energy(directory);
-    write_numbers(directory, numbers);
+    note_encoding(numbers);
+    numbers.write(directory);
     draw_scenes(directory, __FILE__, {"lambert", "highlights", "attenuation", "smooth"}, 240, 180);
 }
 

@@ -211,9 +211,10 @@ void write_methods(const Path& directory) {
     for (std::size_t i = 0; i < std::size(methods); ++i)
         sums += fmt::format("{},{},{}\n", methods[i].start, totals[i].self_hits, totals[i].lost);
     write_file(directory / "totals.csv", sums);
-    write_file(directory / "numbers.csv",
-               fmt::format("name,value\nshadow rays,{}\nshadow rays with a part of the bound,{}\n",
-                           totals[0].cases, stability::shadow_families().size() * count / 4));
+    Numbers numbers;
+    numbers.add("shadow rays", totals[0].cases);
+    numbers.add("shadow rays with a part of the bound", stability::shadow_families().size() * count / 4);
+    numbers.write(directory);
 }
 
 /// As shadow_ray, its start moved by a part of the error bound only.

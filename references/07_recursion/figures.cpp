@@ -4,6 +4,7 @@
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/07_recursion/optics.hpp"
 #include "common/render/trace.hpp"
+#include "tests/pictures.hpp"
 #include "tests/stability/optics.hpp"
 
 #include <array>
@@ -19,9 +20,8 @@ namespace {
 const SvgFont words{.size = 16};
 const SvgFont remark{.size = 16, .color = "#666666"};
 
-/// Numbers of the lesson that have no figure of their own: what each is, and its value.
-std::string numbers = "name,value\n";
-void note_number(const std::string& name, const std::string& value) { numbers += name + "," + value + "\n"; }
+/// Numbers of the lesson that have no figure of their own.
+Numbers numbers;
 
 const char* color_of(RayKind kind) {
     return kind == RayKind::Camera ? ink : kind == RayKind::Reflection ? red : blue;
@@ -175,18 +175,18 @@ void draw_fresnel(const Path& directory) {
     write_svg(directory / "fresnel.svg", svg);
     write_file(directory / "fresnel.csv", csv);
     for (std::size_t k = 0; k < 2; ++k)
-        note_number(std::string("greatest error of Schlick's approximation ") + (k == 0 ? "into" : "out of") +
+        numbers.add(std::string("greatest error of Schlick's approximation ") + (k == 0 ? "into" : "out of") +
                         " glass",
                     decimal(std::abs(worst[k]), 4));
-    note_number("critical angle of glass in degrees", decimal(std::asin(1 / 1.5) * 180 / pi, 2));
-    note_number("part that glass mirrors of straight light", decimal(fresnel(1, 1 / 1.5), 4));
+    numbers.add("critical angle of glass in degrees", decimal(std::asin(1 / 1.5) * 180 / pi, 2));
+    numbers.add("part that glass mirrors of straight light", decimal(fresnel(1, 1 / 1.5), 4));
 }
 
 // Cancellation -----------------------------------------------------------------------------------------
 
 /// How far `refract` is off where a ray grazes the border between equal media, and so should go straight on.
 void draw_cancellation(const Path& directory) {
-    Svg svg{.width = 700, .height = 330};
+    Svg svg{.width = 700, .height = 340};
     text(svg, {370, 26}, "From glass into the same glass: how far off is the ray?", heading);
     const Plot plot{{95, 45}, {575, 215}, {1e-10, 1, true}, {1e-17, 1e-7, true}};
     draw_axes(svg, plot,
@@ -232,9 +232,9 @@ void count_failures() {
         const auto wrong = static_cast<Real>(stability::judge_refraction(questions, answers).mismatches);
         return decimal(wrong / static_cast<Real>(questions.size()) * 100, 1);
     };
-    note_number("wrong of 100 between nearly equal media by the textbook's form",
+    numbers.add("wrong of 100 between nearly equal media by the textbook's form",
                 failures(naive::refract_cancelling));
-    note_number("wrong of 100 between nearly equal media by ours", failures(refract));
+    numbers.add("wrong of 100 between nearly equal media by ours", failures(refract));
 }
 
 // Media ------------------------------------------------------------------------------------------------
@@ -283,15 +283,6 @@ void draw_media(const Path& directory) {
 
 // Termination ------------------------------------------------------------------------------------------
 
-Real rmse(const Image& image, const Image& truth) {
-    Real sum = 0;
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        const Vec3 d = image.pixels[i] - truth.pixels[i];
-        sum += dot(d, d);
-    }
-    return std::sqrt(sum / static_cast<Real>(3 * image.pixels.size()));
-}
-
 /// A floor that mirrors makes the trees large.
 void mirror_the_floor(Scene& scene) {
     for (Material& m : scene.materials)
@@ -320,7 +311,7 @@ void measure_termination(const Path& directory) {
         const World world = compile(scene);
         const RenderResult result = render(world, {1, {}});
         const std::uint64_t rays = result.rays.camera + result.rays.reflection + result.rays.refraction;
-        curves[method].push_back({value, world, rmse(result.image, truth.image), rays});
+        curves[method].push_back({value, world, test::rms_difference(result.image, truth.image), rays});
     };
     scene.min_contribution = 0;
     for (const int depth : {0, 1, 2, 3, 4, 5, 6, 8, 10, 12}) {
@@ -440,11 +431,11 @@ void count_waiting() {
     mirror_the_floor(scene);
     scene.max_depth = 12;
     const World world = compile(scene);
-    note_number("most rays that wait at depth 12 if the last is taken",
+    numbers.add("most rays that wait at depth 12 if the last is taken",
                 std::to_string(most_waiting(world, true)));
-    note_number("most rays that wait at depth 12 if the first is taken",
+    numbers.add("most rays that wait at depth 12 if the first is taken",
                 std::to_string(most_waiting(world, false)));
-    note_number(
+    numbers.add(
         "rays of pixel (200; 250)",
         std::to_string(trace_tree(compile(scene_beside(__FILE__, "whitted")),
                                   pixel_ray(compile(scene_beside(__FILE__, "whitted")).view, 200.5, 250.5))
@@ -527,7 +518,7 @@ void draw_all(const Path& directory) {
     draw_scenes(directory, __FILE__, {"whitted", "mirrors", "glass", "neighbours", "fresnel", "tir", "ice"});
     count_failures();
     count_waiting();
-    write_file(directory / "numbers.csv", numbers);
+    numbers.write(directory);
     measure_whitted(directory);
     measure_termination(directory);
 }

@@ -7,6 +7,7 @@
 #include "common/math/stopwatch.hpp"
 #include "common/render/integrators.hpp"
 #include "references/panels.hpp"
+#include "tests/pictures.hpp"
 #include "tests/stability/coverage.hpp"
 
 #include <fmt/format.h>
@@ -21,14 +22,8 @@ using rt::test::HalfPlane;
 
 namespace {
 
-/// Numbers in the lesson's prose, each with the name by which the lesson asks for it.
-std::string& numbers() {
-    static std::string csv = "name,value\n";
-    return csv;
-}
-void note_number(const std::string& name, const std::string& value) {
-    numbers() += name + "," + value + "\n";
-}
+/// Numbers in the lesson's prose.
+Numbers numbers;
 
 using Pattern = std::vector<PixelSample>;
 
@@ -609,7 +604,7 @@ void draw_bias(const Path& directory) {
         csv += fmt::format("{:.2f},{:.4f},{:.4f},{:.4f}\n", p, 0.75 * p * q * (p * p * p - q * q * q),
                            sum.x - p, sum.y - p);
         if (i == 4)
-            note_number("a pixel that is white to a fifth: its mean where the pilot is kept",
+            numbers.add("a pixel that is white to a fifth: its mean where the pilot is kept",
                         fmt::format("{:.3f}", sum.x));
     }
     text(svg, {535, 70}, "the pilot's samples", colored(small, red));
@@ -678,8 +673,8 @@ void draw_sums(const Path& directory) {
         next *= std::pow(10, 0.25);
     }
     write_file(directory / "sums.csv", csv);
-    note_number("worst compensated mean in units of 2^-53 of it", fmt::format("{:.2f}", worst_kept));
-    note_number("single precision: equal samples are too bright by (percent)",
+    numbers.add("worst compensated mean in units of 2^-53 of it", fmt::format("{:.2f}", worst_kept));
+    numbers.add("single precision: equal samples are too bright by (percent)",
                 fmt::format("{:.2f}", 100 * (single / (1e7 * constant) - 1)));
 
     Svg svg{.width = 700, .height = 330};
@@ -736,17 +731,8 @@ void draw_mistakes(const Path& directory) {
         side_by_side({{upper_left(picture(star, size, size, right, 4)), "right"},
                       {upper_left(picture(star, size, size, same_everywhere, 4)), "the same in all pixels"}},
                      2, 5));
-    note_number("the light of a mean of the bytes of black and white",
+    numbers.add("the light of a mean of the bytes of black and white",
                 fmt::format("{:.3f}", decode(0.5, Encoding::Srgb)));
-}
-
-Real rms_difference(const Image& image, const Image& truth) {
-    Real squares = 0;
-    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-        const Vec3 d = image.pixels[i] - truth.pixels[i];
-        squares += glm::dot(d, d);
-    }
-    return std::sqrt(squares / static_cast<Real>(3 * truth.pixels.size()));
 }
 
 // Adaptive ----------------------------------------------------------------------------------------------
@@ -775,8 +761,8 @@ void draw_adaptive(const Path& directory) {
     const int count = world.sampling.count;
     Real uniform = 0, adaptive = 0;
     for (int i = 0; i < 4; ++i) {
-        uniform += rms_difference(image_of(count, false), truth) / 4;
-        adaptive += rms_difference(image_of(count, true), truth) / 4;
+        uniform += test::rms_difference(image_of(count, false), truth) / 4;
+        adaptive += test::rms_difference(image_of(count, true), truth) / 4;
     }
     write_file(directory / "adaptive.csv",
                fmt::format("samples a pixel,pilot,least,percent of the pixels with the least,most,rms error "
@@ -802,11 +788,11 @@ void count_for_errors() {
             needed[i] = render(world, options).samples_per_pixel;
         }
         const char* name = sampler == Sampler::Jittered ? "jittered" : "random";
-        note_number(fmt::format("{}: for an error of 0.01 samples a pixel", name),
+        numbers.add(fmt::format("{}: for an error of 0.01 samples a pixel", name),
                     fmt::format("{:.0f}", needed[0]));
-        note_number(fmt::format("{}: for an error of 0.005 samples a pixel", name),
+        numbers.add(fmt::format("{}: for an error of 0.005 samples a pixel", name),
                     fmt::format("{:.0f}", needed[1]));
-        note_number(fmt::format("{}: how many times the samples for half the error", name),
+        numbers.add(fmt::format("{}: how many times the samples for half the error", name),
                     fmt::format("{:.2f}", needed[1] / needed[0]));
     }
 }
@@ -851,7 +837,7 @@ void write_picture_errors(const Path& directory) {
             Scene scene = star_scene(one.sampler, one.count);
             scene.sampling.seed = static_cast<std::uint64_t>(seed);
             const RenderResult result = render(compile(scene));
-            const Real error = rms_difference(result.image, truth), said = result.rms_error.value_or(0);
+            const Real error = test::rms_difference(result.image, truth), said = result.rms_error.value_or(0);
             squares += error * error / 8;
             estimated_squares += said * said / 8;
         }
@@ -913,7 +899,7 @@ void draw_all(const Path& directory) {
     draw_scenes(directory, __FILE__, {"adaptive"});
     count_for_errors();
     write_picture_errors(directory);
-    write_file(directory / "numbers.csv", numbers());
+    numbers.write(directory);
     measure_costs(directory);
 }
 

@@ -22,12 +22,8 @@ namespace {
 const SvgFont label{.size = 15};
 const SvgFont remark{.size = 15, .color = "#666666"};
 
-/// Numbers of the lesson that have no figure of their own: what each is, and its value.
-std::string numbers = "name,value\n";
-template <class Value>
-void note_number(const std::string& name, const Value& value) {
-    numbers += fmt::format("{},{}\n", name, value);
-}
+/// Numbers of the lesson that have no figure of their own.
+Numbers numbers;
 
 // Curves ------------------------------------------------------------------------------------------------
 
@@ -437,12 +433,12 @@ void draw_stadium(const Path& directory) {
         const Grid grid = build_grid(triangles, {.nested = nested});
         if (!nested) {
             const std::size_t teapot = teapot_of(40).size();
-            note_number("triangles of the teapot", teapot);
-            note_number("other triangles of the stadium", triangles.size() - teapot);
+            numbers.add("triangles of the teapot", teapot);
+            numbers.add("other triangles of the stadium", triangles.size() - teapot);
             for (int a = 0; a < 3; ++a)
-                note_number(fmt::format("cells of the stadium along {}", "xyz"[a]), grid.shape.cells[a]);
+                numbers.add(fmt::format("cells of the stadium along {}", "xyz"[a]), grid.shape.cells[a]);
             const Vec3 size = (grid.shape.box.high - grid.shape.box.low) / Vec3(grid.shape.cells);
-            note_number("edge of the stadium's cells", fmt::format("{:.2f}", size.x));
+            numbers.add("edge of the stadium's cells", fmt::format("{:.2f}", size.x));
         }
         cuts.push_back(cut(grid));
         Image shapes = make_image(width, height), cells = shapes;
@@ -880,7 +876,7 @@ void draw(const Path& directory) {
     draw_growth(directory);
     draw_density(directory);
     draw_hierarchies(directory);
-    write_file(directory / "numbers.csv", numbers);
+    numbers.write(directory);
     draw_scenes(directory, __FILE__, {"forest", "cloud"}, 240, 180);
     draw_scenes(directory, __FILE__, {"stadium"}, 320, 240);
     draw_scenes(directory, __FILE__, {"crowd"}, 184, 138);

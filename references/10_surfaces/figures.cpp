@@ -621,16 +621,15 @@ long count_of(const std::string& name, const std::vector<std::string>& commands)
 }
 
 /// The numbers of the lesson that stand in no other table.
-std::string numbers(const LostByStepping& lost) {
-    std::string csv = "name,value\n";
-    const auto add = [&](const char* name, long value) { csv += fmt::format("{},{}\n", name, value); };
-    add("cones and cylinders in columns.scene", count_of("columns", {"cone", "cylinder"}));
-    add("boxes in columns.scene", count_of("columns", {"box"}));
-    add("polygons and triangles in columns.scene", count_of("columns", {"polygon", "tri"}));
-    add("pixels of the heart", lost.hits);
-    add("pixels of the heart that 6 steps lose", lost.by_6);
-    add("pixels of the heart that 12 steps lose", lost.by_12);
-    return csv;
+Numbers lesson_numbers(const LostByStepping& lost) {
+    Numbers numbers;
+    numbers.add("cones and cylinders in columns.scene", count_of("columns", {"cone", "cylinder"}));
+    numbers.add("boxes in columns.scene", count_of("columns", {"box"}));
+    numbers.add("polygons and triangles in columns.scene", count_of("columns", {"polygon", "tri"}));
+    numbers.add("pixels of the heart", lost.hits);
+    numbers.add("pixels of the heart that 6 steps lose", lost.by_6);
+    numbers.add("pixels of the heart that 12 steps lose", lost.by_12);
+    return numbers;
 }
 
 void draw_all(const Path& out) {
@@ -659,7 +658,7 @@ void draw_all(const Path& out) {
     write_svg(out / "mistakes.svg", side_by_side(mistakes(), 2, 1.5));
     write_svg(out / "two_solids.svg", two_solids());
     write_svg(out / "skin.svg", side_by_side(skin(), 2, 1.5));
-    write_file(out / "numbers.csv", numbers(draw_implicit(out)));
+    lesson_numbers(draw_implicit(out)).write(out);
     draw_scenes(out, __FILE__,
                 {"still_life", "tubes", "glass", "lathe", "tori", "surfaces", "heart", "lenses"}, 320, 240);
     draw_scenes(out, __FILE__, {"columns", "carved"});

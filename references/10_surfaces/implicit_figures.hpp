@@ -46,7 +46,7 @@ inline Svg pieces() {
     }
     line(svg, plot.place(0, -0.55), plot.place(1, -0.55), {.stroke = grey, .width = 1.2});
     dot_at(svg, plot.place(1.0 / 3, 0), ink, 5);
-    text(svg, plot.place(1, 0) + Vec2(8, 5), "f = 0", colored(small, ink));
+    text(svg, plot.place(1, 0) + Vec2(4, 5), "f = 0", colored(small, ink));
     text(svg, plot.place(0.9, f(0.9)) + Vec2(-14, -4), "f",
          {.size = 17, .color = blue, .anchor = "end", .italic = true});
     text(svg, {90, 385}, "dashed: nothing is certain, so the piece is divided", colored(small, grey));

@@ -15,6 +15,7 @@
 #include "references/11_textures/lobe_figures.hpp"
 #include "references/11_textures/texture_pictures.hpp"
 #include "references/panels.hpp"
+#include "tests/pictures.hpp"
 #include "tests/support.hpp"
 
 #include <fmt/format.h>
@@ -313,12 +314,7 @@ std::string filter_errors() {
     std::string text = "samples a pixel × filter,root of the mean square error\n";
     const auto add = [&](const char* name, TextureFilter filter, int samples) {
         const Image seen = picture_by(filter, samples);
-        Real sum = 0;
-        for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
-            const Vec3 difference = seen.pixels[i] - truth.pixels[i];
-            sum += dot(difference, difference) / 3;
-        }
-        text += fmt::format("{} × {},{:.4f}\n", samples, name, std::sqrt(sum / (width * height)));
+        text += fmt::format("{} × {},{:.4f}\n", samples, name, test::rms_difference(seen, truth));
     };
     add("bilinear", TextureFilter::Bilinear, 1);
     add("bilinear", TextureFilter::Bilinear, 4);
@@ -354,38 +350,30 @@ std::string cells_missed() {
 // --------------------------------------------------------------------------------------- single numbers
 
 /// What the lesson says in its sentences.
-std::string numbers() {
-    std::string text = "name,value\n";
-    const auto add = [&](const char* name, const std::string& value) {
-        text += fmt::format("{},{}\n", name, value);
-    };
+Numbers lesson_numbers() {
+    Numbers numbers;
     const Vec3 flat = from_normal_map(Vec3(128, 128, 255) / 255.0, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
-    add("lean of a flat normal map in degrees",
-        fmt::format("{:.2f}", std::atan2(std::hypot(flat.x, flat.y), flat.z) * 180 / pi));
+    numbers.add("lean of a flat normal map in degrees",
+                fmt::format("{:.2f}", std::atan2(std::hypot(flat.x, flat.y), flat.z) * 180 / pi));
 
     Scene scene = horizon(TextureFilter::Nearest, 512, 80, 60);
     scene.sampling.seed = 1'000'000;
     const Image truth = picture_of(scene);
     const RenderResult seen = render(compile(horizon(TextureFilter::Anisotropic, 16, 80, 60)));
-    Real sum = 0;
-    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-        const Vec3 difference = seen.image.pixels[i] - truth.pixels[i];
-        sum += dot(difference, difference) / 3;
-    }
-    add("stated error of 16 anisotropic samples", fmt::format("{:.4f}", seen.rms_error.value_or(0)));
-    add("true error of 16 anisotropic samples",
-        fmt::format("{:.4f}", std::sqrt(sum / static_cast<Real>(truth.pixels.size()))));
+    numbers.add("stated error of 16 anisotropic samples", fmt::format("{:.4f}", seen.rms_error.value_or(0)));
+    numbers.add("true error of 16 anisotropic samples",
+                fmt::format("{:.4f}", test::rms_difference(seen.image, truth)));
 
     const Vec3 grazing = test::at_cosine(1e-6, 25);
-    add("furnace of the lobe of 1994 at the horizon",
-        fmt::format("{:.3f}", test::sum_over(test::dome(), 512, [&](const Vec3& l) {
-                        return oren_nayar_1994(0.2, l, grazing) * l.z;
-                    })));
-    add("what a coat of index 1.5 mirrors of even light", fmt::format("{:.4f}", mean_fresnel(1.5)));
-    add("what it mirrors inside", fmt::format("{:.4f}", inner_reflectance(1.5)));
-    add("samples of each lobe", fmt::format("{}", lobe_samples));
-    add("greatest chi-square by its limit", fmt::format("{:.3f}", worst_chi_square()));
-    return text;
+    numbers.add("furnace of the lobe of 1994 at the horizon",
+                fmt::format("{:.3f}", test::sum_over(test::dome(), 512, [&](const Vec3& l) {
+                                return oren_nayar_1994(0.2, l, grazing) * l.z;
+                            })));
+    numbers.add("what a coat of index 1.5 mirrors of even light", fmt::format("{:.4f}", mean_fresnel(1.5)));
+    numbers.add("what it mirrors inside", fmt::format("{:.4f}", inner_reflectance(1.5)));
+    numbers.add("samples of each lobe", fmt::format("{}", lobe_samples));
+    numbers.add("greatest chi-square by its limit", fmt::format("{:.3f}", worst_chi_square()));
+    return numbers;
 }
 
 // --------------------------------------------------------------------------------------------- figures
@@ -409,7 +397,7 @@ void draw_all(const Path& out) {
     write_file(out / "furnace.csv", furnaces());
     write_file(out / "furnace_table.csv", furnace_table());
     write_file(out / "chi_square.csv", chi_squares());
-    write_file(out / "numbers.csv", numbers());
+    lesson_numbers().write(out);
     write_svg(out / "furnace.svg", furnace_curves());
     write_svg(out / "lobes.svg", lobes_cut_open());
     write_svg(out / "white_furnace.svg", white_furnace());

@@ -7,6 +7,7 @@
 #include "chapters/12_distribution/lens.hpp"
 #include "chapters/12_distribution/rectangle_light.hpp"
 #include "references/12_distribution/slopes.hpp"
+#include "tests/pictures.hpp"
 #include "tests/stability/blurs.hpp"
 
 #include <bit>
@@ -250,31 +251,22 @@ std::string facets() {
 
 /// Numbers in the texts: how well the slopes are known; degrees within which half of a lobe is; and what a
 /// sample counts that the ground draws in the highlight, if it is divided by the ground's density alone.
-std::string numbers(const slopes::Errors& errors) {
+Numbers lesson_numbers(const slopes::Errors& errors) {
     Real widest = 0;
     for (const auto& of_method : errors)
         for (const auto& squares : of_method) widest = std::max(widest, slopes::plus_minus(squares));
-    std::string text = fmt::format("name,value\nslopes are known to,{:.2f}\n", widest);
+    Numbers numbers;
+    numbers.add("slopes are known to", fmt::format("{:.2f}", widest));
     for (const Real exponent : {0.0, 10.0, 100.0})
-        text += fmt::format("half of the lobe {},{:.1f}\n", exponent,
-                            180 / pi * std::acos(std::pow(0.5, 1 / (exponent + 1))));
+        numbers.add(fmt::format("half of the lobe {}", exponent),
+                    fmt::format("{:.1f}", 180 / pi * std::acos(std::pow(0.5, 1 / (exponent + 1)))));
     const Vec3 v(-0.6, 0, 0.8), l(0.6, 0, 0.8);
     const ModifiedPhong shiny{Vec3(0.3), Vec3(0.6), 1000};
-    text += fmt::format("ground in the highlight,{:.0f}\n", pi * evaluate(shiny, l, v).x);
-    return text;
+    numbers.add("ground in the highlight", fmt::format("{:.0f}", pi * evaluate(shiny, l, v).x));
+    return numbers;
 }
 
 // ------------------------------------------------------------------------------------------------ costs
-
-/// A picture's root of the mean square difference from another one, over all pixels and channels.
-Real difference(const Image& a, const Image& b) {
-    Real sum = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const Vec3 d = a.pixels[i] - b.pixels[i];
-        sum += dot(d, d) / 3;
-    }
-    return std::sqrt(sum / static_cast<Real>(a.pixels.size()));
-}
 
 /// The billiard table, small, with some of its blurs.
 Scene billiards(const test::Blurs& blurs) {
@@ -305,7 +297,7 @@ Cost cost_of(Scene scene, const Image& truth, int samples, int lamp_samples) {
         cost.camera += static_cast<Real>(result.rays.camera) / pixels;
         cost.shadow += static_cast<Real>(result.rays.shadow) / pixels;
         cost.mirrored += static_cast<Real>(result.rays.reflection + result.rays.refraction) / pixels;
-        const Real error = difference(result.image, truth);
+        const Real error = test::rms_difference(result.image, truth);
         cost.error += error * error / pictures;
     }
     cost.error = std::sqrt(cost.error);
@@ -373,7 +365,7 @@ void draw_all(const Path& out) {
     write_svg(out / "light_points.svg", light_points());
     write_file(out / "small_lamps.csv", small_lamps());
     write_file(out / "facets.csv", facets());
-    write_file(out / "numbers.csv", numbers(errors));
+    lesson_numbers(errors).write(out);
     write_costs(out);
     draw_scenes(out, __FILE__,
                 {"billiards", "soft_shadow", "lamps", "lanterns", "depth", "focus", "moving", "turning",

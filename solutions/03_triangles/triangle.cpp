@@ -110,15 +110,12 @@ std::optional<Hit> intersect_exactly(const Triangle& triangle, const Ray& ray, I
 }
 
 std::optional<Hit> intersect(const Triangle& triangle, const ShearedRay& ray, Interval range) {
-    // [exercise 03.7] The watertight test.
-    //   1. See the corners along the ray. Let `size` be the greatest |x| or |y| of the three, plus the
-    //      greatest |z|. Outside of 1e-140 to 1e140 its square might leave the range of Real: leave such
-    //      triangles to intersect_exactly, which is given.
-    //   2. x and y are off by less than 8u · size. A triangle that surely lies to one side is missed.
-    //   3. The plain p.x·q.y − p.y·q.x of the edges are off by less than 128u · size². It is a miss where
-    //   they
-    //      surely have both signs; otherwise, where one is too close to 0, intersect_exactly decides.
-    //   4. What is left is a sure hit, which hit_of_seen (03.6) finds.
+    // [exercise 03.7] The watertight test: the answer of exact arithmetic, and its help only where rounding
+    // leaves a doubt. Let `size` be the greatest |x| or |y| of the corners as the ray sees them, plus the
+    // greatest |z|. Then x and y are off by less than 8u · size, and p.x·q.y − p.y·q.x of an edge by less
+    // than 128u · size². intersect_exactly, which is given, decides what these leave open; and all of it
+    // where size is outside of 1e-140 to 1e140, because its square might leave the range of Real. What is a
+    // sure hit is found by hit_of_seen (03.6).
     const Vec3 a = seen(ray, triangle.a);
     const Vec3 b = seen(ray, triangle.b);
     const Vec3 c = seen(ray, triangle.c);

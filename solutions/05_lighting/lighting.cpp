@@ -1,5 +1,5 @@
 // Light on a surface: what arrives from a light, and what of it goes on to the viewer.
-// The lesson uses the same letters: n for the normal, l to the light, v to the viewer, h half way, r
+// The lesson uses the same letters: n for the normal, l to the light, v to the viewer, h halfway, r
 // mirrored.
 #include "chapters/05_lighting/lighting.hpp"
 
@@ -39,7 +39,7 @@ Real lambert(const Vec3& n, const Vec3& l) {
 }
 
 Real blinn(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess) {
-    // [exercise 05.3] (n·h)^shininess, where h is the unit vector half way between l and v. 0 where n·h is
+    // [exercise 05.3] (n·h)^shininess, where h is the unit vector halfway between l and v. 0 where n·h is
     // not greater than 0, and where l and v are opposite, so that h has no direction. Never more than 1,
     // although rounding can make n·h a little greater.
     const Vec3 h = l + v;
@@ -63,7 +63,7 @@ Vec3 reflected_light(const Material& material, const Vec3& n, const Vec3& v, con
                      const Vec3& visibility) {
     // [exercise 05.5] What goes from one light to the viewer: black where n·l ≤ 0, else visibility · color ·
     // (diffuse · lambert + specular · highlight), with the highlight that material.highlight names. Where
-    // specular is black, compute no highlight: most surfaces are matt, and a power costs more than the rest.
+    // specular is black, compute no highlight: most surfaces are matte, and a power costs more than the rest.
     const Vec3& l = light.direction;
     const Real cosine = lambert(n, l);
     if (!(cosine > 0)) return Vec3(0);

@@ -71,7 +71,7 @@ Real pdf(const RoughMetal& metal, const Vec3& to_light, const Vec3& to_viewer) {
 }
 
 std::optional<LobeSample> sample(const RoughMetal& metal, const Vec3& to_viewer, const Vec3& random) {
-    // [exercise 11.17] Draw a facet that the viewer sees, and return the light that it mirrors to him. What
+    // [exercise 11.17] Draw a facet that the viewer sees, and return the light that it mirrors there. What
     // is left of f·cos/pdf?
     if (!(to_viewer.z > 0)) return std::nullopt;
     const Real alpha = ggx_alpha(metal.roughness);

@@ -63,7 +63,7 @@ Vec3 evaluate(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_view
 }
 
 std::optional<LobeSample> sample(const RoughGlass& glass, const Vec3& to_viewer, const Vec3& random) {
-    // [exercise 11.19] Draw a facet that the viewer sees, whichever side he is on; let random.z decide
+    // [exercise 11.19] Draw a facet that the viewer sees, from whichever side; let random.z decide
     // whether it mirrors or lets through. Return nothing where the light is on the wrong side.
     if (to_viewer.z == 0) return std::nullopt;
     const Real side = to_viewer.z > 0 ? 1 : -1;

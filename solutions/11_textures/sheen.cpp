@@ -43,7 +43,7 @@ Real pdf(const Velvet& velvet, const Vec3& to_light, const Vec3& to_viewer) {
 
 std::optional<LobeSample> sample(const Velvet& velvet, const Vec3& to_viewer, const Vec3& random) {
     // [exercise 11.21] Draw a facet with the density D·cosθ, let random.z choose it or its partner as the
-    // viewer sees them, and return the light that the chosen one mirrors to him.
+    // viewer sees them, and return the light that the chosen one mirrors there.
     if (!(to_viewer.z > 0)) return std::nullopt;
     const Real sigma = velvet_spread(velvet), phi = 2 * pi * random.y;
     const Real cotangent = sigma * std::sqrt(-std::log1p(-random.x));

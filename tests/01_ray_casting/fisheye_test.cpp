@@ -46,7 +46,7 @@ TEST_CASE("a fisheye of 180 degrees looks straight up at the top of its picture"
     check_direction(view, 0, 1, 180, {-1, 0, 0});
 }
 
-TEST_CASE("half way up the angle is half as large", "[01.7]") {
+TEST_CASE("halfway up the angle is half as large", "[01.7]") {
     const Real half = std::sqrt(0.5), quarter = std::cos(pi / 8), rest = std::sin(pi / 8);
     check_direction(plain_view(2, 4), 1, 1, 180, {0, half, -half});
     check_direction(plain_view(2, 4), 1, 1, 90, {0, rest, -quarter});

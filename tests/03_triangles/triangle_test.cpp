@@ -663,19 +663,19 @@ TEST_CASE("at a corner the interpolated normal is the corner's", "[03.8]") {
     check({0, 1}, {0, 0, 1});
 }
 
-TEST_CASE("the normal half-way between two is a unit vector, however long theirs are", "[03.8]") {
+TEST_CASE("the normal halfway between two is a unit vector, however long theirs are", "[03.8]") {
     const Vec3 expected = Vec3(1, 1, 0) / std::sqrt(Real(2));
     for (const Real length : {1.0, 5.0, 1e-100, 1e100}) {
         const TriangleNormals normals{{length, 0, 0}, {0, length, 0}, {0, 0, length}};
         const Vec3 actual = interpolate(normals, {0.5, 0}, {0, 0, 1});
-        INFO("half-way between normals of length " << length << " along x and y: a unit vector");
+        INFO("halfway between normals of length " << length << " along x and y: a unit vector");
         CHECK(test::near_direction(actual, expected, 4 * unit_roundoff));
     }
 }
 
 TEST_CASE("where the normals cancel, the flat normal stands in", "[03.8]") {
     const TriangleNormals opposite{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}};
-    INFO("half-way between (1, 0, 0) and (-1, 0, 0), where the flat normal is (0, 0, 1)");
+    INFO("halfway between (1, 0, 0) and (-1, 0, 0), where the flat normal is (0, 0, 1)");
     CHECK(interpolate(opposite, {0.5, 0}, {0, 0, 1}) == Vec3(0, 0, 1));
 }
 

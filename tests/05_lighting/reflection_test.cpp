@@ -70,7 +70,7 @@ void check_range(Highlights highlight) {
     }
 }
 
-Material matt(const Vec3& diffuse) {
+Material matte(const Vec3& diffuse) {
     Material material;
     material.ambient = Vec3(0);
     material.diffuse = diffuse;
@@ -118,18 +118,18 @@ TEST_CASE("Lambert: light from all around a surface adds up to π", "[05.2]") {
 
 // --------------------------------------------------------------------------------------------- 05.3 Blinn
 
-TEST_CASE("by hand: half way between (0.6, 0.8, 0) and straight up, n·h squared is 0.9", "[05.3]") {
+TEST_CASE("by hand: halfway between (0.6, 0.8, 0) and straight up, n·h squared is 0.9", "[05.3]") {
     const Vec3 n(0, 1, 0), l(0.6, 0.8, 0);
     check_highlight(of_blinn, n, l, n, 2, 0.9, bound);
     check_highlight(of_blinn, n, l, n, 4, 0.81, bound);
 }
 
-TEST_CASE("Blinn: brightest where the normal is half way between light and viewer", "[05.3]") {
+TEST_CASE("Blinn: brightest where the normal is halfway between light and viewer", "[05.3]") {
     for (const Real shininess : {1.0, 10.0, 1000.0})
         check_highlight(of_blinn, up, leaning(40), leaning(-40), shininess, 1, shininess * bound);
 }
 
-TEST_CASE("Blinn: light from above, viewer at 60 degrees, half way at 30", "[05.3]") {
+TEST_CASE("Blinn: light from above, viewer at 60 degrees, halfway at 30", "[05.3]") {
     check_highlight(of_blinn, up, up, leaning(60), 1, std::sqrt(3.0) / 2, bound);
     check_highlight(of_blinn, up, up, leaning(60), 2, 0.75, bound);
     check_highlight(of_blinn, up, up, leaning(60), 8, 0.31640625, bound);
@@ -222,7 +222,7 @@ TEST_CASE("Phong's angle is twice Blinn's where light, normal and viewer lie in 
 
 TEST_CASE("by hand: what the lamp at (3, 4, 0) adds on the floor, seen from straight above", "[05.5]") {
     const LightSample light{.direction = {0.6, 0.8, 0}, .distance = 5, .color = {1, 2, 0.5}};
-    Material material = matt({0.5, 0.25, 0});
+    Material material = matte({0.5, 0.25, 0});
     material.specular = Vec3(0.5);
     material.shininess = 2;
     const auto check = [&](const char* name, const Vec3& expected) {
@@ -237,9 +237,9 @@ TEST_CASE("by hand: what the lamp at (3, 4, 0) adds on the floor, seen from stra
     check("Phong", {0.72, 1.04, 0.16});
 }
 
-TEST_CASE("a matt surface: visibility · colour · diffuse · cosine", "[05.5]") {
+TEST_CASE("a matte surface: visibility · colour · diffuse · cosine", "[05.5]") {
     const LightSample light{.direction = {0, 0.6, 0.8}, .distance = 1, .color = {2, 4, 1}};
-    const Material material = matt({0.5, 0.25, 1});
+    const Material material = matte({0.5, 0.25, 1});
     const auto check = [&](const Vec3& visibility, const Vec3& expected) {
         INFO(
             "light of colour (2, 4, 1) on a surface of diffuse colour (0.5, 0.25, 1), cosine 0.8, visibility "
@@ -253,7 +253,7 @@ TEST_CASE("a matt surface: visibility · colour · diffuse · cosine", "[05.5]")
 
 TEST_CASE("a shiny surface adds specular · highlight", "[05.5]") {
     const LightSample light{.direction = up, .distance = 1, .color = {1, 2, 4}};
-    Material material = matt({0.5, 0, 0});
+    Material material = matte({0.5, 0, 0});
     material.specular = {0, 0.25, 0.5};
     material.shininess = 2;
     const auto check = [&](const char* name, const Vec3& expected) {
@@ -271,7 +271,7 @@ TEST_CASE("a shiny surface adds specular · highlight", "[05.5]") {
 
 TEST_CASE("a white highlight of light from the side", "[05.5]") {
     const LightSample light{.direction = leaning(60), .distance = 1, .color = {1, 2, 4}};
-    Material material = matt({0.5, 0, 0});
+    Material material = matte({0.5, 0, 0});
     material.specular = Vec3(1);
     material.shininess = 2;
     const auto check = [&](const char* name, const Vec3& expected) {
@@ -289,7 +289,7 @@ TEST_CASE("a white highlight of light from the side", "[05.5]") {
 }
 
 TEST_CASE("light from behind gives nothing, not even a highlight", "[05.5]") {
-    Material material = matt(Vec3(0.5));
+    Material material = matte(Vec3(0.5));
     material.specular = Vec3(1);
     material.shininess = 1;
     // The half vector is on the normal's side; the surface is in the way all the same.
@@ -305,7 +305,7 @@ TEST_CASE("light from behind gives nothing, not even a highlight", "[05.5]") {
 }
 
 TEST_CASE("zero normals and directions, and light on the surface, give black and never NaN", "[05.5]") {
-    Material material = matt(Vec3(0.5));
+    Material material = matte(Vec3(0.5));
     material.specular = Vec3(1);
     const Vec3 vectors[] = {Vec3(0), up, -up, {1, 0, 0}};
     for (const Real shininess : {0.0, 1.0, 1e6}) {
@@ -330,7 +330,7 @@ TEST_CASE("zero normals and directions, and light on the surface, give black and
 TEST_CASE("twice the light is twice the radiance, and lights do not disturb each other", "[05.5]") {
     Random random(57);
     for (int i = 0; i < cases(5'000); ++i) {
-        Material material = matt(Vec3(random.uniform(0, 1)));
+        Material material = matte(Vec3(random.uniform(0, 1)));
         material.specular = Vec3(random.uniform(0, 1), 0, random.uniform(0, 1));
         material.shininess = random.magnitude(-1, 3);
         LightSample light{
@@ -344,7 +344,7 @@ TEST_CASE("twice the light is twice the radiance, and lights do not disturb each
 }
 
 TEST_CASE("what a surface shows without light is ambient plus emission", "[05.5]") {
-    Material material = matt(Vec3(1));
+    Material material = matte(Vec3(1));
     material.ambient = {0.125, 0.25, 0};
     material.emission = {0.25, 0, 0.5};
     INFO("ambient (0.125, 0.25, 0), emission (0.25, 0, 0.5): the emitted light");
@@ -359,7 +359,7 @@ TEST_CASE("the light of very many lamps adds up", "[05.5]") {
         {.position = {0, 0, 2}, .color = Vec3(1.0 / count), .attenuation = {0, 0, 0.25}});
     Surface surface;
     surface.normal = surface.shading_normal = up;
-    Material material = matt(Vec3(0.5));
+    Material material = matte(Vec3(0.5));
     material.ambient = Vec3(0.125);
     const Vec3 color = local_light(world, surface, material, up, up);
     INFO(count << " lights, together white, above a surface of diffuse 0.5 and ambient 0.125: what it shows");

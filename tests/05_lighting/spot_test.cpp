@@ -33,7 +33,7 @@ void check_part(const SpotLight& light, const Vec3& point, Real cosine, Real par
 
 }  // namespace
 
-TEST_CASE("by hand: a quarter of the way across the edge 5/32 of the light arrives, half way 1/2", "[05.6]") {
+TEST_CASE("by hand: a quarter of the way across the edge 5/32 of the light arrives, halfway 1/2", "[05.6]") {
     check_part(downwards, below(0.65, 0), 0.65, 5.0 / 32, 1e-13);
     check_part(downwards, below(0.7, 0), 0.7, 0.5, 1e-13);
     check_part(downwards, below(0.75, 2), 0.75, 27.0 / 32, 1e-13);
@@ -60,7 +60,7 @@ TEST_CASE("a spot light is attenuated as its lamp is", "[05.6]") {
     light.lamp.attenuation = {0, 0, 1};
     const Vec3 point = below(0.7, 0);
     INFO(words_of(light) << "\nseen from " << point
-                         << ", half way across the edge at distance 5: a fiftieth of its colour");
+                         << ", halfway across the edge at distance 5: a fiftieth of its colour");
     CHECK(near_color(sample_light(light, point).color, Vec3(0.02, 0.04, 0.08), 1e-13));
 }
 

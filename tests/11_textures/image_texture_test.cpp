@@ -111,7 +111,7 @@ TEST_CASE("between four texels, by hand", "[11.2]") {
     check_bilinear(four, {0.375, 0.625}, Wrap::Repeat, 1.75);
 }
 
-TEST_CASE("at the centre of a texel its colour, half-way the mean", "[11.2]") {
+TEST_CASE("at the centre of a texel its colour, halfway the mean", "[11.2]") {
     for (const Wrap wrap : all_wraps) {
         check_bilinear(four, {0.25, 0.25}, wrap, 3);
         check_bilinear(four, {0.75, 0.75}, wrap, 2);

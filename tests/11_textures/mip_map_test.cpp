@@ -98,7 +98,7 @@ TEST_CASE("at u = 0.25 it is 2 for half of the image, 5 for all of it", "[11.3]"
     // log2(3) = 1.585 is 0.585 of the way from 2 to 5.
     check_color(map, {0.25, 0.5}, 0.75, Wrap::Clamp, Vec3(2 + 3 * 0.5849625007211562), 11);
     check_color(map, {0.125, 0.5}, 0.25, Wrap::Clamp, Vec3(1), 11);
-    // Level 0.5: half-way from 1 to the 2 of level 1.
+    // Level 0.5: halfway from 1 to the 2 of level 1.
     check_color(map, {0.125, 0.5}, 0.25 * std::sqrt(2.0), Wrap::Clamp, Vec3(1.5), 11);
 }
 

@@ -71,7 +71,7 @@ void check_against(const Shape& shape, std::uint32_t element, const Vec2& uv, Re
 
 }  // namespace
 
-TEST_CASE("half-way across the screen is a quarter of the way", "[11.1]") {
+TEST_CASE("halfway across the screen is a quarter of the way", "[11.1]") {
     // From the first corner, 1 away, to the second, 3 away: (½·1/3)/(½·1/1 + ½·1/3) = (1/6)/(2/3).
     INFO("uvs (0, 0), (0, 1), (1, 0) at depths 1, 3 and 1; on the screen at weights (0.5, 0.5, 0)");
     CHECK(near(perspective_uv(corners, {1, 3, 1}, {0.5, 0.5, 0}), Vec2(0, 0.25), gamma(16)));

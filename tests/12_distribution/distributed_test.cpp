@@ -236,7 +236,7 @@ TEST_CASE("a lamp in glass that absorbs is dimmed on its way", "[12.20]") {
 }
 
 TEST_CASE("what moves stands in the light for a part of the time", "[12.20]") {
-    // A ball of radius 1, half-way to the lamp, that moves 8 to the right.
+    // A ball of radius 1, halfway to the lamp, that moves 8 to the right.
     const World world =
         world_with("diffuse 1 1 1\n" + floor_of + "motion 8 0 0\nsphere 0 5 0  1\npoint 0 10 0  1 1 1\n");
     INFO("a floor straight below a ball that is in the way of a lamp at time 0, and goes away");
@@ -279,7 +279,7 @@ TEST_CASE("a floor under a square lamp", "[12.20]") {
 }
 
 TEST_CASE("an edge hides just the part of a lamp that is behind it", "[12.20]") {
-    // A board half-way up, without an end on the left: from below, its edge at x hides the lamp up to 2x.
+    // A board halfway up, without an end on the left: from below, its edge at x hides the lamp up to 2x.
     for (const char* sampling : {"angle", "area"})
         for (const Real edge : {-0.25, 0.0, 0.25}) {
             const std::string at = std::to_string(edge);

@@ -135,7 +135,7 @@ TEST_CASE("the middle of the square is the middle of the disc and of polygons", 
     for (const int sides : {3, 4, 5, 8}) check_polygon(sides, 1, {0.5, 0.5}, {0, 0});
 }
 
-TEST_CASE("half-way out is half the radius, half-way along an eighth is half of 45 degrees", "[12.6]") {
+TEST_CASE("halfway out is half the radius, halfway along an eighth is half of 45 degrees", "[12.6]") {
     check_disc({0.75, 0.5}, {0.5, 0});
     check_disc({0.5, 0.125}, {0, -0.75});
     check_disc({0.75, 0.75}, at_angle(45) / 2.0);

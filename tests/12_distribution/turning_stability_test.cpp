@@ -1,5 +1,5 @@
 // Steps 12.21 and 12.22 on extreme cases: turns by almost nothing and by thousands of turns, far from their
-// center and far from the origin.
+// centre and far from the origin.
 #include "chapters/12_distribution/motion.hpp"
 #include "common/math/error.hpp"
 #include "tests/12_distribution/random_vectors.hpp"
@@ -57,7 +57,7 @@ Spin some_spin(Random& random) {
     return spin;
 }
 
-/// As far from the center as it is large, near the center, or far outside.
+/// As far from the centre as it is large, near the centre, or far outside.
 Vec3 some_place(Random& random, const Vec3& center) {
     const Real size = random.magnitude(-20, 20), part = random.magnitude(-18, 18);
     const Vec3 aside = random.direction();

@@ -209,7 +209,7 @@ TEST_CASE("'direct' shows the integral of GGX over the matte ground", "[cse168]"
 }
 
 TEST_CASE("in 'direct' one light stands in the other's way", "[cse168]") {
-    // A level lamp half way below the square one, between the pixels that look past it.
+    // A level lamp halfway below the square one, between the pixels that look past it.
     const Lamp low{{1, 1.1, 0.15}, {0, 0, 0.6}, {0.6, 0, 0}, {1, 2, 3}};
     const auto even = [](const Vec3&) { return Vec3(0.6) / pi; };
     const auto truth = [&](const Vec3& p) {

@@ -611,7 +611,7 @@ struct FileSizeLimit {
     ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before); }
 };
 
-TEST_CASE("a write that fails half way leaves the old file and nothing else") {
+TEST_CASE("a write that fails halfway leaves the old file and nothing else") {
     const Directory directory;
     write_file(directory / "a", "old");
     std::string error;
