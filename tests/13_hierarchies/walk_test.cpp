@@ -90,6 +90,14 @@ TEST_CASE("a child counts only within the range, and for the part in it", "[13.1
     check_children(tree, 0, along, {0, 3}, {{1, {1, 2}}, {2, {3, 3}}});
 }
 
+TEST_CASE("it is the entry that counts, not where a box ends or how large it is", "[13.1]") {
+    const Hierarchy tree =
+        tree_of({inner_node(part_of_row(0, 9), 1), leaf(part_of_row(0, 9), 0), leaf(cube_at(4), 1)});
+    INFO("node 1 reaches from x = 0 to 9, node 2 from x = 4 to 5, inside of it");
+    check_children(tree, 0, {{-1, 0.5, 0.5}, {1, 0, 0}}, ahead, {{1, {1, 10}}, {2, {5, 6}}});
+    check_children(tree, 0, {{10, 0.5, 0.5}, {-1, 0, 0}}, ahead, {{1, {1, 10}}, {2, {5, 6}}});
+}
+
 TEST_CASE("of two children that the ray enters at once the first comes first", "[13.1]") {
     const Bounds tall{{0, 0, 0}, {1, 5, 1}};
     const Hierarchy tree = tree_of({inner_node(tall, 1), leaf(tall, 0), leaf(cube_at(0), 1)});
@@ -100,14 +108,6 @@ TEST_CASE("of two children that the ray enters at once the first comes first", "
     const Hierarchy other = tree_of({inner_node(tall, 1), leaf(cube_at(0), 0), leaf(tall, 1)});
     INFO("the other way round: node 1 is the cube, node 2 the tower");
     check_children(other, 0, {{0.5, 0.5, 0.5}, {0, 1, 0}}, ahead, {{1, {0, 0.5}}, {2, {0, 4.5}}});
-}
-
-TEST_CASE("it is the entry that counts, not where a box ends or how large it is", "[13.1]") {
-    const Hierarchy tree =
-        tree_of({inner_node(part_of_row(0, 9), 1), leaf(part_of_row(0, 9), 0), leaf(cube_at(4), 1)});
-    INFO("node 1 reaches from x = 0 to 9, node 2 from x = 4 to 5, inside of it");
-    check_children(tree, 0, {{-1, 0.5, 0.5}, {1, 0, 0}}, ahead, {{1, {1, 10}}, {2, {5, 6}}});
-    check_children(tree, 0, {{10, 0.5, 0.5}, {-1, 0, 0}}, ahead, {{1, {1, 10}}, {2, {5, 6}}});
 }
 
 TEST_CASE("the children are those of the node that was asked about", "[13.1]") {
