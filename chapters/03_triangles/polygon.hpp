@@ -1,4 +1,5 @@
 // Planar polygons: hit the plane, then look inside.
+// u is the unit roundoff of `Real`.
 #pragma once
 
 #include "common/scene/shapes.hpp"

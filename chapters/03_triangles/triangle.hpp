@@ -1,4 +1,5 @@
 // Triangles: barycentric coordinates, the watertight test, smooth normals.
+// u is the unit roundoff of `Real`.
 #pragma once
 
 #include "common/scene/shapes.hpp"

@@ -1,4 +1,5 @@
 // Affine maps: matrices, their stack, their inverse, and what they do to points, vectors, normals and rays.
+// u is the unit roundoff of `Real`.
 #pragma once
 
 #include "common/math/ray.hpp"

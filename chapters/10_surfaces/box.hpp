@@ -1,4 +1,5 @@
 // The box along the axes: three slabs.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "chapters/10_surfaces/span.hpp"
@@ -12,7 +13,7 @@ namespace rt {
 /// several faces at once, the one of the first axis.
 ///
 /// The box is closed: a line in a face, along an edge or through a corner meets it, but rounding decides
-/// where an entry and an exit differ by less than 4u of themselves. Boxes that share a face leave no gap.
+/// where an entry and an exit differ by less than 4ε of themselves. Boxes that share a face leave no gap.
 std::optional<Span> inside(const Box& box, const Ray& ray);
 
 /// Nearest hit with the box's surface in (range.min, range.max], or nothing. `Hit::element` is the face.

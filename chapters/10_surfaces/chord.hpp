@@ -1,4 +1,5 @@
 // The part of a line that is in a box, counted from near: given, for surfaces that end there.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "chapters/10_surfaces/box.hpp"
@@ -24,7 +25,7 @@ struct Chord {
 /// The chord of the ray's line in the box, as far as it is in the part of the line, both ends included;
 /// nothing where it is only a point. It starts at the ray's origin to the bit if that is its first point.
 ///
-/// It is the exact chord but for a move by 4u·(|origin| + the box's greatest coordinate).
+/// It is the exact chord but for a move by 4ε·(|origin| + the box's greatest coordinate).
 std::optional<Chord> chord(const Box& box, const Ray& ray, Interval part);
 
 /// The same from what `inside` says of the box and the ray.

@@ -1,5 +1,6 @@
 // Cones and cylinders, solid or open: all that is round about an axis and straight along it.
 // The lesson uses the same letters: u for the axis from a to b, e and m across it, α and β for the radius.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "chapters/02_spheres/quadratic.hpp"
@@ -40,8 +41,8 @@ Roots side_roots(const ConeLine& line);
 /// [10.5] The part of the ray's line that is inside the cone, or nothing. Face 0 is the side, 1 the cap at a,
 /// 2 the cap at b; where the line goes through the apex, a cap of radius 0 may be met instead of the side.
 ///
-/// Hit or miss, and each end but for 8u|t|, are those of a cone whose surface is moved by no more than η
-/// along its axis, and η(1 + |radius_b − radius_a|/|u|) across it: η = 8u|f| + 40u(|u| + the greater radius),
+/// Hit or miss, and each end but for 8ε|t|, are those of a cone whose surface is moved by no more than η
+/// along its axis, and η(1 + |radius_b − radius_a|/|u|) across it: η = 8ε|f| + 40ε(|u| + the greater radius),
 /// where f = origin − a.
 std::optional<Span> inside(const Cone& cone, const Ray& ray);
 

@@ -1,4 +1,5 @@
 // The disc: a plane with a rim.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "common/math/ray.hpp"
@@ -13,8 +14,8 @@ namespace rt {
 /// [10.3] Hit of the ray with the disc in (range.min, range.max], or nothing. The rim belongs to the disc; a
 /// ray parallel to it misses it, also one that lies in it.
 ///
-/// The answer is that of a disc that is moved by no more than η = 8u(|origin − centre| + radius), and whose
-/// radius is wrong by no more than that, but for 8u|t| in t.
+/// The answer is that of a disc that is moved by no more than η = 8ε(|origin − centre| + radius), and whose
+/// radius is wrong by no more than that, but for 8ε|t| in t.
 std::optional<Hit> intersect(const Disc& disc, const Ray& ray, Interval range);
 
 /// The surface at a hit: as of the plane that the disc lies in. Given.

@@ -1,4 +1,5 @@
 // Surfaces f(x, y, z) = 0 of any f, found for certain: interval arithmetic says where no root can be.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "chapters/10_surfaces/chord.hpp"
@@ -82,7 +83,7 @@ std::optional<LineCrossing> first_crossing(const ImplicitLine& line, Interval ra
 /// Given. Nearest hit with the surface in (range.min, range.max], or nothing; a range that begins below 0
 /// begins at 0.
 ///
-/// The answer is that of a line moved by 4u·(|origin| + the box's greatest coordinate); and of that line no
+/// The answer is that of a line moved by 4ε·(|origin| + the box's greatest coordinate); and of that line no
 /// crossing is missed: where f is less than 0 for certain at one point and more at a later one, there is a
 /// hit between. (Also where f jumps from one to the other, as 1/x does; and where it has no value it counts
 /// as positive.) What rounding hides is left out: where f touches 0, or goes through it and back, and remains

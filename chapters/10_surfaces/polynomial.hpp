@@ -1,4 +1,5 @@
 // Real roots of a polynomial, none of them missed.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "chapters/02_spheres/quadratic.hpp"
@@ -18,7 +19,7 @@ struct ValueAndSlope {
     Real slope = 0;
 };
 
-/// Both by Horner's rule; the value is wrong by 8u·Σ|aᵢtⁱ| at most. Given.
+/// Both by Horner's rule; the value is wrong by 8ε·Σ|aᵢtⁱ| at most. Given.
 inline ValueAndSlope evaluate(const Polynomial& p, Real t) {
     ValueAndSlope at{p.a[4], 0};
     for (std::size_t i = 4; i-- > 0;) {
@@ -47,7 +48,7 @@ inline Roots inflections(const Polynomial& p) {
 }
 
 /// [10.7] The t between `low` and `high` at which the polynomial changes its sign, to the last bits:
-/// |p(t)| ≤ 16u·Σ|aᵢtⁱ|. It is positive, by `evaluate`, at one of the two and not at the other; between them
+/// |p(t)| ≤ 16ε·Σ|aᵢtⁱ|. It is positive, by `evaluate`, at one of the two and not at the other; between them
 /// it has no other change.
 ///
 /// Newton's steps, as long as they stay between and each is at most half as long as the last one; bisection
@@ -60,7 +61,7 @@ Real root_between(const Polynomial& p, Real low, Real high);
 ///
 /// Between neighbouring roots of its derivative a polynomial is monotone, and so has one root at most; the
 /// derivative's roots are found in the same way (Yuksel, High-performance polynomial root finding for
-/// graphics, 2022). None is missed and none invented, unless moving each coefficient by 8u of itself would
+/// graphics, 2022). None is missed and none invented, unless moving each coefficient by 8ε of itself would
 /// change their number.
 SignChanges sign_changes(const Polynomial& p, Real low, Real high);
 

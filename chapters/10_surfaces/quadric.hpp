@@ -1,4 +1,5 @@
 // Quadrics in a box: given. Ellipsoids, paraboloids, hyperboloids, cones and cylinders of any section.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "chapters/10_surfaces/chord.hpp"
@@ -12,8 +13,8 @@ namespace rt {
 /// Nearest hit with the quadric in (range.min, range.max], within the box, or nothing; a range that begins
 /// below 0 begins at 0. `Hit::element` is `surface_face`, 6.
 ///
-/// The answer is the exact one of a line moved by 4u·(|origin| + the box's greatest coordinate), and of a
-/// quadric each of whose coefficients is moved by 96u of itself. The equation is set up in the chord, not at
+/// The answer is the exact one of a line moved by 4ε·(|origin| + the box's greatest coordinate), and of a
+/// quadric each of whose coefficients is moved by 96ε of itself. The equation is set up in the chord, not at
 /// the eye; its discriminant is −a times the value at the point where the line is nearest to the surface, or
 /// deepest inside, because h² − a·c would lose what is small beside the chord.
 std::optional<Hit> intersect(const Quadric& quadric, const Ray& ray, Interval range);

@@ -1,6 +1,7 @@
 // The torus: a tube whose middle is a ring.
 // The lesson uses the same letters: n for the axis, q for where the line is nearest to the centre, e for its
 // direction, τ for the way along it from q, R for the ring's radius and r for the tube's.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "chapters/10_surfaces/polynomial.hpp"
@@ -47,7 +48,7 @@ struct TorusSpans {
 /// r; so for R = r the hole is closed to one point, and for R < r there is none.
 ///
 /// Inside or not is right everywhere unless moving the surface by η would change the answer, and each end is
-/// one of the moved surface, but for 8u|t|: η = 8u|f| + 40u(R + r), where f = origin − centre.
+/// one of the moved surface, but for 8ε|t|: η = 8ε|f| + 40ε(R + r), where f = origin − centre.
 TorusSpans inside(const Torus& torus, const Ray& ray);
 
 /// Nearest hit with the torus's surface in (range.min, range.max], or nothing. Given.

@@ -1,4 +1,5 @@
 // Cells: how far it is to the nearest of points that are strewn through space.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "common/math/vec.hpp"
@@ -19,7 +20,7 @@ Vec3 cell_point(const Vec3& cell);
 
 /// [11.9] The distances from q to the two nearest feature points, of which each unit cube of space has one
 /// (Worley 1996), and which cube has the nearest; of equally near ones, any. For any finite q; distances to
-/// 16u, for |q| < 2^52. Beyond, cubes side by side are no longer told apart, and only the ranges above are
+/// 16ε, for |q| < 2^52. Beyond, cubes side by side are no longer told apart, and only the ranges above are
 /// promised.
 CellDistances cell_distances(const Vec3& q);
 

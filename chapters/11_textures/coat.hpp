@@ -1,6 +1,7 @@
 // Paint under a smooth clear coat: part of the light is mirrored, the rest goes through twice.
 // The lesson uses the same letters: l and v for the directions to the light and to the viewer, F for
 // Fresnel's reflected part, n for the index of refraction of the coat, T for the part that passes.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "chapters/11_textures/lobe.hpp"
@@ -27,7 +28,7 @@ Real inner_reflectance(Real ior);
 
 /// [11.22] The ground's lobe in 1/sr, without the cosine and without the mirror (Wolff 1994):
 ///   f = T(l)·T(v)·color / (π·n²·(1 − color·inner_reflectance)),  T(w) = 1 − F(w.z),
-/// a channel. 0 if either direction is not above the surface. Right to 64u·(1 + f), and what mean_fresnel is.
+/// a channel. 0 if either direction is not above the surface. Right to 64ε·(1 + f), and what mean_fresnel is.
 Vec3 evaluate(const Coated& coated, const Vec3& to_light, const Vec3& to_viewer);
 
 /// [11.22] The density of sample's directions per sr, without the mirror's: T(v)·l.z/π; 0 if either direction

@@ -1,5 +1,5 @@
 // Diffuse light from the sky by nine spherical harmonics (Ramamoorthi & Hanrahan 2001).
-// u is the unit roundoff of `Real`.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "common/image/image.hpp"
@@ -14,7 +14,7 @@ namespace rt {
 ///   ½√(1/π);  ½√(3/π)·y, ½√(3/π)·z, ½√(3/π)·x;
 ///   ½√(15/π)·xy, ½√(15/π)·yz, ¼√(5/π)·(3z² − 1), ½√(15/π)·xz, ¼√(15/π)·(x² − y²).
 /// The integral over the sphere of the product of two of them is 1 if they are the same, and else 0. Within
-/// 16u.
+/// 16ε.
 std::array<Real, 9> harmonics(const Vec3& d);
 
 /// [11.6] The coefficients of a sky that is given as a picture in SkyMap::LatitudeLongitude of at least one
@@ -26,7 +26,7 @@ SkyLight projected(const Image& picture);
 
 /// [11.6] The irradiance E at a surface with this unit normal from the sky with these coefficients, radiance
 /// times steradian: a sky of radiance 1 gives π. The sum over i of A·Lᵢ·Yᵢ(normal), with A = π for the first,
-/// 2π/3 for the next three and π/4 for the last five; 0 in a channel where that is negative. Within 32u of
+/// 2π/3 for the next three and π/4 for the last five; 0 in a channel where that is negative. Within 32ε of
 /// the sum of the terms' sizes.
 ///
 /// It is exact for skies that are polynomials of degree 2 in (x, y, z), and for one that is bright above a

@@ -1,6 +1,7 @@
 // The colour of an image at a point between its pixels, and beyond its edges.
 // A pixel of an image that is used as a texture is called a texel. u runs from the left edge to the right, v
 // from the bottom edge to the top; but row 0 of an `Image` is its top row.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "common/image/image.hpp"
@@ -31,12 +32,12 @@ Vec3 texel(const Image& image, std::int64_t column, std::int64_t row, Wrap wrap)
 Vec2 near_image(const Vec2& uv, Wrap wrap);
 
 /// [11.2] The colour of the texel in which uv lies. The texel in column i of w lies from u = i/w, included,
-/// to (i + 1)/w. Within 4u(|u| + |v|) of an edge, after `near_image`, rounding decides.
+/// to (i + 1)/w. Within 4ε(|u| + |v|) of an edge, after `near_image`, rounding decides.
 Vec3 nearest(const Image& image, const Vec2& uv, Wrap wrap);
 
 /// [11.2] The colour at uv, bilinear between the centres of the four texels around it: the texel in column i
 /// of w has its centre at u = (i + ½)/w. Equal to POV-Ray's `interpolate 2` where the image repeats. Within
-/// 16u(w + h) of the greatest texel's size; never outside of the range of the four texels by more than 8u of
+/// 16ε(w + h) of the greatest texel's size; never outside of the range of the four texels by more than 8ε of
 /// it.
 Vec3 bilinear(const Image& image, const Vec2& uv, Wrap wrap);
 

@@ -1,6 +1,7 @@
 // Microfacets: a rough surface as many small mirrors whose normals are spread around the surface's.
 // The lesson uses the same letters: l and v for the directions to the light and to the viewer, h for a
 // facet's normal, α for how widely the facets' normals are spread.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "chapters/11_textures/lobe.hpp"
@@ -42,7 +43,7 @@ struct RoughMetal {
 /// [11.16] The lobe f in 1/sr, without the cosine: F·D(h)·G₁(l)·G₁(v)/(4·l.z·v.z), with h between l and v,
 /// and F = color + (1 − color)·(1 − l·h)⁵ (Schlick 1994). Light that met a second facet is left out. Never
 /// negative, finite for cosines of 1e-8 and more; 0 if either direction is not above the surface.
-/// Right to gamma(32) + 16u/(α·|l + v|), as a part of white metal's lobe: rounding turns h by some u/|l + v|,
+/// Right to gamma(32) + 16ε/(α·|l + v|), as a part of white metal's lobe: rounding turns h by some ε/|l + v|,
 /// of which D feels the α-th part.
 Vec3 evaluate(const RoughMetal& metal, const Vec3& to_light, const Vec3& to_viewer);
 

@@ -1,4 +1,5 @@
 // Perlin's improved noise: a function of space that looks random, is smooth, and has features of one size.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "common/math/vec.hpp"
@@ -35,7 +36,7 @@ struct LatticeCell {
 /// have the same gradient. Given.
 Vec3 lattice_gradient(int i, int j, int k);
 
-/// [11.7] The smooth step from 0 to 1: 6t^5 - 15t^4 + 10t^3 for t in [0, 1], to 200u. Its first two
+/// [11.7] The smooth step from 0 to 1: 6t^5 - 15t^4 + 10t^3 for t in [0, 1], to 200ε. Its first two
 /// derivatives are 0 at both ends (Perlin 2002).
 Real fade(Real t);
 
@@ -47,11 +48,11 @@ LatticeCell lattice_cell(const Vec3& p);
 /// [11.7] Perlin's improved noise (2002) at p. Each corner of p's cell says what its lattice_gradient would
 /// make of the way from the corner to p; the mean of the eight is weighted along each axis by fade. So it is
 /// 0 at the points of the lattice, and repeats after 256 along each axis. For any finite p; in [-1.04, 1.04];
-/// to 2500u.
+/// to 2500ε.
 Real noise(const Vec3& p);
 
 /// [11.10] The gradient of noise at p: its derivatives by x, y and z, by formula and not by differences. At a
-/// point of the lattice it is the lattice_gradient. For any finite p; to 25000u.
+/// point of the lattice it is the lattice_gradient. For any finite p; to 25000ε.
 Vec3 noise_gradient(const Vec3& p);
 
 /// The sum of |noise(2^i p)|/2^i for i from 0 to octaves - 1 (Perlin 1985): creases at every size, as smoke

@@ -1,4 +1,5 @@
 // Patterns in space: a value between 0 and 1 at every point, and two colours mixed by it.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "common/math/vec.hpp"
@@ -16,17 +17,17 @@ Real stripe_value(const Vec3& q);
 /// distance from the axis. A distance that rounding brings to a whole number belongs to the outer shell.
 Real ring_value(const Vec3& q);
 
-/// [11.8] From 0 to 1 along y, and again from 0 after each whole number: y - floor(y). To 2u: it may be 1
+/// [11.8] From 0 to 1 along y, and again from 0 after each whole number: y - floor(y). To 2ε: it may be 1
 /// just below a whole number.
 Real gradient_value(const Vec3& q);
 
 /// [11.8] Soft slices across x, disturbed by turbulence (Perlin 1985): (1 + sin(pi * s))/2 with
-/// s = x + 4 * turbulence(q/4, 6). To 40000u for every q: from a large x, whole waves must be taken before
+/// s = x + 4 * turbulence(q/4, 6). To 40000ε for every q: from a large x, whole waves must be taken before
 /// anything else is computed.
 Real marble_value(const Vec3& q);
 
 /// [11.8] The rings of a tree around the y axis: r + 2 * noise(q/8), less the greatest whole number in it,
-/// with r the distance from the axis. To 4u * (2500 + r), but for 1 in place of 0 and 0 in place of 1 where a
+/// with r the distance from the axis. To 4ε * (2500 + r), but for 1 in place of 0 and 0 in place of 1 where a
 /// ring ends.
 Real wood_value(const Vec3& q);
 

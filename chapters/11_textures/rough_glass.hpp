@@ -1,6 +1,7 @@
 // Rough glass: facets that mirror a part of the light and let the rest through.
 // The lesson uses the same letters: l and v for the directions to the light and to the viewer, h for a
 // facet's normal, n for indices of refraction.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "chapters/11_textures/lobe.hpp"
@@ -32,7 +33,7 @@ std::optional<Vec3> glass_facet(const RoughGlass& glass, const Vec3& to_light, c
 /// F is Fresnel's reflected part at the facet, exactly (07.3); G₁ of a direction below is that of the one
 /// that is as far above. 0 if there is no facet; never NaN.
 ///
-/// Right to gamma(64) + 64u/(α·s·c²), where s is |l + v| or |n_l·l + n_v·v|, and c² the least of the squares
+/// Right to gamma(64) + 64ε/(α·s·c²), where s is |l + v| or |n_l·l + n_v·v|, and c² the least of the squares
 /// of the cosines before and behind the facet, as Snell's law has them: near the critical angle rounding
 /// decides.
 Real pdf(const RoughGlass& glass, const Vec3& to_light, const Vec3& to_viewer);

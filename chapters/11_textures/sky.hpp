@@ -1,5 +1,5 @@
 // What is seen in a direction: skies of one colour, of three, and of pictures of all directions.
-// u is the unit roundoff of `Real` where a tolerance is meant, and a coordinate of uv elsewhere. y is up.
+// ε is the unit roundoff of `Real`. y is up.
 #pragma once
 
 #include "common/scene/sky.hpp"
@@ -24,18 +24,18 @@ namespace rt {
 ///
 /// Angular: the middle shows −z, and r is the angle from there in half turns (Debevec 1998).
 ///
-/// Within 16u of the exact place, whatever the angle; at the six axis directions within u. Never NaN.
+/// Within 16ε of the exact place, whatever the angle; at the six axis directions within ε. Never NaN.
 Vec2 sky_uv(SkyMap map, const Vec3& direction);
 
 /// [11.5] The unit direction that a picture of this layout shows at uv, which is in [0, 1]²; nothing outside
-/// of the disc of a MirrorBall or Angular map. Its rim belongs to it; within 4u of the rim either answer will
-/// do. Each coordinate is within 8u of the direction of a place at most 16u away from uv, and the length is 1
-/// within 8u. Never NaN.
+/// of the disc of a MirrorBall or Angular map. Its rim belongs to it; within 4ε of the rim either answer will
+/// do. Each coordinate is within 8ε of the direction of a place at most 16ε away from uv, and the length is 1
+/// within 8ε. Never NaN.
 std::optional<Vec3> sky_direction(SkyMap map, const Vec2& uv);
 
 /// [11.4] The colour of the gradient in a direction of any length but 0. With y for the direction's height at
 /// length 1, it is horizon + (zenith − horizon)·y above the horizon, and horizon + (nadir − horizon)·(−y)
-/// below. Within 8u of the greatest of the colours' sizes.
+/// below. Within 8ε of the greatest of the colours' sizes.
 Vec3 gradient_color(const GradientSky& sky, const Vec3& direction);
 
 /// The direction in which to look into a sky's picture that was turned about y, counterclockwise as seen from

@@ -1,5 +1,5 @@
 // The sun of a sky's picture as a lamp: a challenge, which nothing else needs.
-// u is the unit roundoff of `Real`.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "common/image/image.hpp"

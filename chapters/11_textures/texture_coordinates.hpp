@@ -1,4 +1,5 @@
 // Where a point of a shape lies on a texture, and how the surface runs there.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "common/scene/shapes.hpp"
@@ -49,13 +50,13 @@ Vec2 affine_uv(const std::array<Vec2, 3>& uvs, const Vec3& weights);
 /// [11.1] The (u, v) of the point of a triangle that is seen at `screen_weights`, the weights of the corners'
 /// images on the screen, which are not negative and add up to 1. `depths` are the corners' distances from the
 /// eye along the viewing direction, from 1e-100 to 1e100. u/depth, v/depth and 1/depth are linear on the
-/// screen (Blinn, Hyperbolic Interpolation, 1992). Within 16u of the corners' greatest |u| and |v|.
+/// screen (Blinn, Hyperbolic Interpolation, 1992). Within 16ε of the corners' greatest |u| and |v|.
 Vec2 perspective_uv(const std::array<Vec2, 3>& uvs, const Vec3& depths, const Vec3& screen_weights);
 
 // A point of each shape. `p` is on the surface but for rounding, in the shape's own space, and `element` is
 // the hit's. Never NaN. What depends on the direction in which p lies, as seen from the centre or the axis,
-// is as right as that direction: wrong by 16u(|p| + |the shape's coordinates|)/(the distance from there), as
-// an angle. For the rest lengths are within 64u of their size.
+// is as right as that direction: wrong by 16ε(|p| + |the shape's coordinates|)/(the distance from there), as
+// an angle. For the rest lengths are within 64ε of their size.
 
 /// [11.1] uv is `sphere_uv` of the direction n from the centre to p: u in [0, 1), v in [0, 1]. A whole u is a
 /// turn about the y axis, from x towards z; a whole v half a turn, from the south pole to the north pole. At
@@ -93,7 +94,7 @@ TexturePoint texture_point(const Torus& torus, const Vec3& p, std::uint32_t elem
 /// The first vertex is at (0, 0), the second at (1, 0) and the last at (0, 1): so a parallelogram shows the
 /// whole picture, and what is stretched or turned takes its picture along. Where the sine of the corner
 /// between these three is less than `least_corner` there are no coordinates: uv is (0, 0), without tangents.
-/// uv is within 64u/sine of |p − the first vertex|/(the shorter of the two edges). Given.
+/// uv is within 64ε/sine of |p − the first vertex|/(the shorter of the two edges). Given.
 TexturePoint texture_point(const Polygon& polygon, const Vec3& p, std::uint32_t element);
 inline constexpr Real least_corner = 0x1p-20;
 

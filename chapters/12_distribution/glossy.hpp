@@ -1,6 +1,7 @@
 // Glossy surfaces of two kinds that the successor course's scenes have: a lobe around the mirror's direction,
 // and microfacets over a matte ground. Directions are as in chapter 11: unit vectors away from the surface,
 // in a frame whose z axis is the normal; l to the light, v to the viewer.
+// ε is the unit roundoff of `Real`.
 #pragma once
 
 #include "chapters/11_textures/lobe.hpp"
@@ -75,12 +76,12 @@ Real highlight_part(const DiffuseGgx& ggx);
 /// [12.23] The lobe f in 1/sr, without the cosine:
 ///   f = diffuse/π + F·D(h)·G₁(l)·G₁(v)/(4·l.z·v.z),  F = specular + (1 − specular)·(1 − l·h)⁵,
 /// with chapter 11's D and G₁, of the α of alpha_of, and h between l and v; 0 if either direction is not
-/// above the surface. Finite for cosines of 1e-8 and more. Right to gamma(32) + 16u/(α·|l + v|), as a part of
+/// above the surface. Finite for cosines of 1e-8 and more. Right to gamma(32) + 16ε/(α·|l + v|), as a part of
 /// the lobe of a white specular.
 Vec3 evaluate(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer);
 
 /// [12.23] The density of sample's directions per sr, (1 − t)·l.z/π + t·D(h)·h.z/(4·l·h); 0 if either
-/// direction is not above the surface. Right to gamma(32) + 16u/(α·|l + v|) + 16u/|l + v|², as a part of
+/// direction is not above the surface. Right to gamma(32) + 16ε/(α·|l + v|) + 16ε/|l + v|², as a part of
 /// itself, and not negative, where that is less than 1.
 Real pdf(const DiffuseGgx& ggx, const Vec3& to_light, const Vec3& to_viewer);
 
