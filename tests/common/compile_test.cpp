@@ -188,8 +188,10 @@ TEST_CASE("in a mirror every face keeps its texture coordinates", "[compile]") {
             seen += here.x != here.y;
             different += length(there - here) > 1e-9;
         }
-    INFO("a polygon, a triangle and a mesh under `integrator uv`, and all of it under `scale -1 1 1`: pixels that are "
-         "not the mirrored picture's");
+    INFO(
+        "a polygon, a triangle and a mesh under `integrator uv`, and all of it under `scale -1 1 1`: pixels "
+        "that are "
+        "not the mirrored picture's");
     CAPTURE(seen);
     CHECK(seen > 100);
     CHECK(different <= 2);
