@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <type_traits>
+#include <vector>
 
 namespace rt::test {
 
@@ -18,6 +20,14 @@ template <class Job>
 void together(std::size_t count, Job job) {
     if (together_elsewhere) return together_elsewhere(count, job);
     for (std::size_t i = 0; i < count; ++i) job(i);
+}
+
+/// What `method` answers to each of the questions, in their order; asked together.
+template <class Question, class Method>
+auto answers(const std::vector<Question>& questions, Method method) {
+    std::vector<std::decay_t<decltype(method(questions.front()))>> all(questions.size());
+    together(questions.size(), [&](std::size_t i) { all[i] = method(questions[i]); });
+    return all;
 }
 
 }  // namespace rt::test

@@ -31,6 +31,9 @@ public:
     /// chapter how much of the submission is marked, from 0 to 1.
     Grade grade(const Submission& submission, const std::function<void(double)>& progress = {});
 
+    /// Where what is marked is built; for tests of what goes into it.
+    Workshop& workshop() { return workshop_; }
+
 private:
     std::vector<StepRun> run_chapter(const Chapter& chapter, const Submission& submission, Grade& grade);
     void grade_chapter(const Chapter& chapter, const Submission& submission, Grade& grade);

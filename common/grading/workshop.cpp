@@ -6,12 +6,13 @@
 #include "common/math/printable.hpp"
 #include "common/sandbox/isolation.hpp"
 #include "common/sandbox/system_files.hpp"
-#include "common/terminal/process.hpp"
 #include "common/workbook/check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 
 namespace rt {
 
@@ -19,11 +20,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// As CMakeLists.txt has them, but for warnings, which are no student's fault here.
-const std::vector<std::string> compiler{"/usr/bin/g++", "-std=c++20",        "-O2",
-                                        "-DNDEBUG",     "-ffp-contract=off", "-w"};
+const char* const compiler = "/usr/bin/g++";
 
-/// Copies the headers that a chapter may include: the contracts and what they stand on.
+/// CMakeLists.txt has them, because the headers that all include are compiled with the same.
+std::vector<std::string> compiler_flags() {
+    std::istringstream words(COURSE_GRADING_FLAGS);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+/// Copies the headers that a chapter may include: the contracts, what they stand on, and what the build has
+/// compiled of them.
 void copy_headers(const Project& project, const fs::path& to) {
     for (const char* top : {"chapters", "common"})
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(project.root / top)) {
@@ -32,19 +38,8 @@ void copy_headers(const Project& project, const fs::path& to) {
             fs::create_directories(target.parent_path());
             fs::copy_file(entry.path(), target);
         }
-}
-
-/// What most chapters include, compiled once: most of the time that so small a file takes goes into it.
-void compile_headers(const fs::path& include) {
-    write_file(
-        include / "common.hpp",
-        "#include \"common/world/query.hpp\"\n#include <algorithm>\n#include <array>\n#include <cmath>\n");
-    std::vector<std::string> command = compiler;
-    command.insert(command.end(),
-                   {"-I", include.string(), "-x", "c++-header", (include / "common.hpp").string(), "-o",
-                    (include / "common.hpp.gch").string()});
-    const ProcessResult result = run_process(command);
-    if (!succeeded(result)) throw InputError("the contracts do not compile: " + result.output);
+    for (const char* name : {"common.hpp", "common.hpp.gch"})
+        fs::copy_file(project.build / "grading" / name, to / name);
 }
 
 /// The first error, with the file's name as from the root.
@@ -72,7 +67,7 @@ void prepare_boxes(const Project& project, Isolation isolation) {
 
 Workshop::Workshop(const Project& project, const std::vector<const Chapter*>& chapters, Isolation isolation)
     : project_(project), isolation_(isolation), shared_(fs::temp_directory_path() / "course-grading") {
-    std::vector<std::string> targets{"grading_kit"};
+    std::vector<std::string> targets{"grading_kit", "grading_headers"};
     for (const Chapter& chapter : read_catalogue(project)) {
         numbers_.push_back(chapter.number);
         targets.push_back("grading_solution_" + chapter.number);
@@ -87,7 +82,6 @@ Workshop::Workshop(const Project& project, const std::vector<const Chapter*>& ch
 void Workshop::furnish() {
     if (is_furnished_) return;
     copy_headers(project_, place() / "include");
-    compile_headers(place() / "include");
     fs::create_directories(place() / "lib");
     for (const fs::path& library : files_in(project_.build / "grading", {".a"}))
         fs::copy_file(library, place() / "lib" / library.filename());
@@ -112,7 +106,8 @@ const Workshop::Compiled& Workshop::compiled(const Chapter& chapter, const std::
     box.products.push_back({"out.o", made.object.string()});
 
     const std::string include = seen_from(box, place() / "include"), job = seen_from(box, directory) + "/";
-    std::vector<std::string> command = compiler;
+    std::vector<std::string> command{compiler};
+    for (const std::string& option : compiler_flags()) command.push_back(option);
     for (const std::string& option : short_diagnostics()) command.push_back(option);
     command.insert(command.end(),
                    {"-I", include, "-include", include + "/common.hpp", "-c", job + name, "-o", "out.o"});
@@ -126,12 +121,18 @@ const Workshop::Compiled& Workshop::compiled(const Chapter& chapter, const std::
     return compiled_[key] = made;
 }
 
+fs::path Workshop::pristine_object(const Chapter& chapter, const std::string& file) {
+    const std::optional<std::string> text = pristine_text(project_, chapter, file);
+    if (!text) throw InputError(exercise_path(chapter, file) + ": there is no pristine exercise");
+    return compiled(chapter, file, *text).object;
+}
+
 std::string Workshop::link(const Chapter& chapter, const std::vector<fs::path>& objects,
                            const fs::path& directory, std::uint64_t& peak_memory) {
     Sandbox box = compilers_box(isolation_);
     box.mounts.push_back({place().string(), "/course"});
     box.products.push_back({"out", (directory / "worker").string()});
-    std::vector<std::string> command{compiler.front(), "-o", "out"};
+    std::vector<std::string> command{compiler, "-o", "out"};
     for (const fs::path& object : objects) command.push_back(seen_from(box, object));
     command.push_back("-Wl,--start-group");
     for (const std::string& number : numbers_)
@@ -150,28 +151,28 @@ std::string Workshop::link(const Chapter& chapter, const std::vector<fs::path>& 
     return printable(first_of(project_, ending.errors, seen_from(box, directory) + "/"));
 }
 
+fs::path Workshop::object_of(const Chapter& chapter, const Submission& submission, const std::string& file,
+                             BuiltWorker& built) {
+    const auto text = submission.files.find(exercise_path(chapter, file));
+    if (text == submission.files.end()) return pristine_object(chapter, file);
+    const Compiled& mine = compiled(chapter, file, text->second);
+    built.peak_memory = std::max(built.peak_memory, mine.peak_memory);
+    if (mine.error.empty()) return mine.object;
+    built.errors[file] = mine.error;
+    return pristine_object(chapter, file);
+}
+
 BuiltWorker Workshop::build(const Chapter& chapter, const Submission& submission, const fs::path& directory) {
     BuiltWorker built;
-    std::vector<fs::path> pristine_objects, objects;
-    std::vector<std::string> files = exercise_files(project_, chapter);
-    for (const std::string& file : files) {
-        const std::optional<std::string> pristine = pristine_text(project_, chapter, file);
-        if (!pristine) throw InputError(exercise_path(chapter, file) + ": there is no pristine exercise");
-        pristine_objects.push_back(compiled(chapter, file, *pristine).object);
-        objects.push_back(pristine_objects.back());
-        const auto text = submission.files.find(exercise_path(chapter, file));
-        if (text == submission.files.end()) continue;
-        const Compiled& mine = compiled(chapter, file, text->second);
-        built.peak_memory = std::max(built.peak_memory, mine.peak_memory);
-        if (mine.error.empty())
-            objects.back() = mine.object;
-        else
-            built.errors[file] = mine.error;
-    }
+    const std::vector<std::string> files = exercise_files(project_, chapter);
+    std::vector<fs::path> objects;
+    for (const std::string& file : files) objects.push_back(object_of(chapter, submission, file, built));
     std::string error = link(chapter, objects, directory, built.peak_memory);
     if (!error.empty()) {
         // Whose fault is it? A file that does not even link alone is left out; if none, all of them are.
         const std::vector<fs::path> all = objects;
+        std::vector<fs::path> pristine_objects;
+        for (const std::string& file : files) pristine_objects.push_back(pristine_object(chapter, file));
         for (std::size_t i = 0; i < files.size(); ++i) {
             std::vector<fs::path> alone = pristine_objects;
             alone[i] = all[i];

@@ -48,6 +48,11 @@ private:
     void furnish();
     /// Of one file, which is compiled when it is first asked for: the same text gives the same object.
     const Compiled& compiled(const Chapter& chapter, const std::string& file, const std::string& text);
+    /// Of an exercise as students get it.
+    std::filesystem::path pristine_object(const Chapter& chapter, const std::string& file);
+    /// Of a submission's file, or the pristine one in its place; an error goes into `built`.
+    std::filesystem::path object_of(const Chapter& chapter, const Submission& submission,
+                                    const std::string& file, BuiltWorker& built);
     /// The linker's first error; empty where `directory`/worker is there now.
     std::string link(const Chapter& chapter, const std::vector<std::filesystem::path>& objects,
                      const std::filesystem::path& directory, std::uint64_t& peak_memory);

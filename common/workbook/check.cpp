@@ -166,12 +166,12 @@ TestOutcome run_tests(const fs::path& program, const fs::path& report,
     return outcome;
 }
 
-TestOutcome run_test_program(const Project& project, const std::string& name, const std::string& tag,
+TestOutcome run_test_program(const Project& project, const std::string& name, const std::string& tags,
                              bool quick, double limit) {
     // What Catch2 says is in the report, too, and in better words.
     std::vector<std::string> arguments{"--watched", "--out", "/dev/null"};
     if (quick) arguments.push_back("--quick");
-    if (!tag.empty()) arguments.push_back("[" + tag + "]");
+    if (!tags.empty()) arguments.push_back(tags);
     ProcessOptions options;
     options.time_limit = limit;
     options.last_words = SIGQUIT;
@@ -199,7 +199,8 @@ ChapterResult judge_program(const Project& project, const Chapter& chapter, cons
         } else if (hopeless || (all.report.died_in && concerns(*all.report.died_in, step.id))) {
             result.steps.push_back(died(step.id, all));
         } else {
-            const TestOutcome alone = run_test_program(project, name, step.id, true, time_limit_alone);
+            const TestOutcome alone =
+                run_test_program(project, name, "[" + step.id + "]", true, time_limit_alone);
             result.steps.push_back(alone.death.empty() ? result_of(step.id, alone.report.ended)
                                                        : died(step.id, alone));
         }

@@ -42,9 +42,9 @@ std::string death_in_words(const TestOutcome& outcome);
 TestOutcome run_tests(const std::filesystem::path& program, const std::filesystem::path& report,
                       const std::vector<std::string>& arguments, const ProcessOptions& options);
 
-/// Runs a test program on the tests with a tag, or on all, and finds out where it died. `time_limit` in
-/// seconds, 0 for none.
-TestOutcome run_test_program(const Project& project, const std::string& name, const std::string& tag,
+/// Runs a test program on all its tests, or on those with and without some tags, such as
+/// "[02.1]~[stability]", and finds out where it died. `time_limit` in seconds, 0 for none.
+TestOutcome run_test_program(const Project& project, const std::string& name, const std::string& tags,
                              bool quick, double time_limit);
 
 /// Tests a program of a chapter that is built: all its steps, one at a time after a crash or a hang.

@@ -24,8 +24,8 @@ const SphereLight ball{{1, 2, 3}, 2};
 
 template <class Light>
 std::vector<LightPoint> points_of(const Light& light, std::uint64_t seed) {
-    return test::many(static_cast<std::size_t>(cases(20000)), seed,
-                      [&](Random& random) { return point_on(light, square_point(random)); });
+    const auto pairs = test::many(static_cast<std::size_t>(cases(20000)), seed, square_point);
+    return test::answers(pairs, [&](const Vec2& numbers) { return point_on(light, numbers); });
 }
 
 /// The mean of a light's points: of each coordinate six times what chance does.
@@ -175,10 +175,9 @@ TEST_CASE("the mean of 1/density is the solid angle", "[12.10]") {
     const auto mean = [](const auto& light, const Vec3& from, Real expected) {
         INFO(test::show(light) << " seen from " << from);
         std::vector<Vec3> parts;
-        for (const LightPoint& p : points_of(light, 12108)) {
-            const Real density = per_steradian(p, from);
+        for (const Real density : test::answers(points_of(light, 12108),
+                                                [&](const LightPoint& p) { return per_steradian(p, from); }))
             parts.push_back(Vec3(density > 0 ? 1 / density : 0, 0, 0));
-        }
         test::check_mean_direction(parts, {expected, 0, 0});
     };
     mean(lamp, {0, 2, 0}, 2 * pi / 3);

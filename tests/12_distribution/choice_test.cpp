@@ -4,6 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/chi_square.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <cmath>
 #include <vector>
@@ -103,11 +104,13 @@ TEST_CASE("each is chosen as often as it weighs, and what is left is uniform", "
     const Numbers sums{0.7, 0.8, 1};
     const int count = cases(100000);
     std::vector<int> first(8, 0), second(8, 0), third(8, 0);
-    Random random(121501);
-    for (int i = 0; i < count; ++i) {
-        const Real number = random.uniform(0, 1);
-        const Choice choice = choose(sums, number);
-        INFO("of the sums 0.7, 0.8 and 1 the number " << number << " chooses index " << choice.index
+    const auto numbers = test::many(static_cast<std::size_t>(count), 121501,
+                                    [](Random& random) { return random.uniform(0, 1); });
+    const std::vector<Choice> choices =
+        test::answers(numbers, [&](Real number) { return choose(sums, number); });
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const Choice& choice = choices[i];
+        INFO("of the sums 0.7, 0.8 and 1 the number " << numbers[i] << " chooses index " << choice.index
                                                       << " of 0, 1 and 2, and leaves " << choice.random);
         REQUIRE(choice.index < 3);
         REQUIRE(test::or_say(choice.random >= 0 && choice.random < 1, "what is left is not in [0, 1)"));

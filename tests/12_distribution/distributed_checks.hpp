@@ -6,10 +6,12 @@
 #include "common/scene/parse.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace rt::test {
 
@@ -30,12 +32,13 @@ struct Mean {
     Real bound = 0;  ///< six times its standard error: chance exceeds it twice in 10⁹ times
 };
 
-/// The mean of sample(0), sample(1), …, sample(count − 1).
+/// The mean of sample(0), sample(1), …, sample(count − 1), which are jobs that run together.
 template <class Sample>
 Mean mean_of_samples(int count, const Sample& sample) {
+    std::vector<Real> all(static_cast<std::size_t>(count));
+    together(all.size(), [&](std::size_t i) { all[i] = sample(static_cast<int>(i)); });
     Real sum = 0, squares = 0;
-    for (int i = 0; i < count; ++i) {
-        const Real one = sample(i);
+    for (const Real one : all) {
         sum += one;
         squares += one * one;
     }

@@ -4,6 +4,7 @@
 #include "tests/12_distribution/glossy_checks.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <cmath>
 
@@ -76,10 +77,12 @@ TEST_CASE("half of the directions are within the angle that halves the lobe", "[
     for (const Real exponent : {0.0, 1.0, 3.0, 100.0})
         for (const Vec3& axis : {up, right, Vec3(0, 1, 0)}) {
             int within = 0;
-            for (int i = 0; i < 1024; ++i) {
-                const Vec2 numbers((i / 32 + 0.5) / 32, (i % 32 + 0.5) / 32);
-                within += std::pow(dot(around_axis(axis, exponent, numbers), axis), exponent + 1) > 0.5;
-            }
+            test::together(1024, [&](std::size_t i) {
+                const Vec2 numbers((static_cast<Real>(i / 32) + 0.5) / 32,
+                                   (static_cast<Real>(i % 32) + 0.5) / 32);
+                const Vec3 drawn = around_axis(axis, exponent, numbers);
+                within += std::pow(dot(drawn, axis), exponent + 1) > 0.5;
+            });
             INFO("exponent " << exponent << ", axis " << axis << ": of 1024 directions " << within
                              << " are within");
             CHECK(std::abs(within - 512) <= 64);

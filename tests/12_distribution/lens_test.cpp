@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/chi_square.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -177,13 +178,13 @@ TEST_CASE("a polygon's first corner is where it is turned to", "[12.6]") {
 
 TEST_CASE("as many points in each part of the disc as its area demands", "[12.6]") {
     // 8 rings of equal area in 24 sectors; false alarms once in ten million.
-    Random random(12601);
+    const auto pairs = test::many(static_cast<std::size_t>(cases(60'000)), 12601, random_pair);
+    const std::vector<Vec2> points = test::answers(pairs, disc_point);
     std::vector<int> counts(8 * 24);
-    for (int i = 0; i < cases(60'000); ++i) {
-        const Vec2 numbers = random_pair(random);
-        const Vec2 p = disc_point(numbers);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Vec2& p = points[i];
         if (!(length(p) <= 1 + gamma(24)))
-            FAIL("random numbers " << numbers << ": point " << p << " is outside");
+            FAIL("random numbers " << pairs[i] << ": point " << p << " is outside");
         ++counts[part_of(dot(p, p), 8) * 24 + part_of(std::atan2(p.y, p.x) / (2 * pi) + 0.5, 24)];
     }
     INFO("points in 8 rings of equal area, each in 24 sectors");
@@ -195,14 +196,15 @@ TEST_CASE("as many points in each part of a polygon as its area demands", "[12.6
     Random random(12602);
     for (const int sides : {3, 5, 8}) {
         const Real turn = random.uniform(-4, 4);
+        const auto pairs = test::many(static_cast<std::size_t>(cases(40'000)), random.engine(), random_pair);
+        const std::vector<Vec2> points =
+            test::answers(pairs, [&](const Vec2& numbers) { return polygon_point(sides, turn, numbers); });
         std::vector<int> counts(static_cast<std::size_t>(6 * 5 * sides));
-        for (int i = 0; i < cases(40'000); ++i) {
-            const Vec2 numbers = random_pair(random);
-            const Vec2 p = polygon_point(sides, turn, numbers);
-            const InPolygon at = in_polygon(sides, turn, p);
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            const InPolygon at = in_polygon(sides, turn, points[i]);
             if (!(at.area <= 1 + gamma(300)))
                 FAIL("a polygon of " << sides << " sides, turned by " << turn << ", random numbers "
-                                     << numbers << ": point " << p << " is outside");
+                                     << pairs[i] << ": point " << points[i] << " is outside");
             const std::size_t part = at.side * 5 + part_of(at.along, 5);
             ++counts[part * 6 + part_of(at.area, 6)];
         }

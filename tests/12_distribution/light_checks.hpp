@@ -7,6 +7,7 @@
 #include "tests/catch.hpp"
 #include "tests/chi_square.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <algorithm>
 #include <array>
@@ -42,6 +43,20 @@ inline std::string show(const DiscLight& light) {
 inline Vec2 square_point(Random& random) {
     const Real x = random.uniform(0, 1);
     return {x, random.uniform(0, 1)};
+}
+
+/// Directions to the light, each of which must exist.
+template <class Light>
+std::vector<LightDirection> directions_to(const Light& light, const Vec3& from, std::uint64_t seed,
+                                          int full = 20000) {
+    const std::vector<Vec2> pairs = many(static_cast<std::size_t>(cases(full)), seed, square_point);
+    const auto found = answers(pairs, [&](const Vec2& numbers) { return toward(light, from, numbers); });
+    std::vector<LightDirection> all;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (!found[i]) FAIL("nothing for random numbers " << pairs[i]);
+        all.push_back(*found[i]);
+    }
+    return all;
 }
 
 /// The two ends of [0, 1), and what is between them.

@@ -5,6 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/chi_square.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -113,12 +114,15 @@ TEST_CASE("times come as often as light does", "[12.8]") {
         for (std::size_t k = 0; k < steps; ++k)
             until[k + 1] = until[k] + open((static_cast<Real>(k) + 0.5) / steps);
         std::vector<int> counts(40);
-        for (int i = 0; i < cases(40'000); ++i) {
-            const Real number = random.uniform(0, 1);
-            const Real t = shutter_time(shutter, number);
+        const auto numbers = test::many(static_cast<std::size_t>(cases(40'000)), random.engine(),
+                                        [](Random& own) { return own.uniform(0, 1); });
+        const std::vector<Real> times =
+            test::answers(numbers, [&](Real number) { return shutter_time(shutter, number); });
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const Real t = times[i];
             if (!(t >= 0 && t <= 1))
                 FAIL("a shutter that opens during " << shutter.opening << " and closes during "
-                                                    << shutter.closing << ", random number " << number
+                                                    << shutter.closing << ", random number " << numbers[i]
                                                     << ": time " << t);
             const Real at = t * steps, part = at - std::floor(at);
             const auto k = static_cast<std::size_t>(std::min(std::floor(at), Real(steps - 1)));

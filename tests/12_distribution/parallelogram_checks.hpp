@@ -11,20 +11,6 @@
 
 namespace rt::test {
 
-/// Directions to the light, each of which must exist.
-inline std::vector<LightDirection> directions_to(const QuadLight& light, const Vec3& from, std::uint64_t seed,
-                                                 int full = 20000) {
-    std::vector<LightDirection> all;
-    Random random(seed);
-    for (int i = 0; i < cases(full); ++i) {
-        const Vec2 numbers = square_point(random);
-        const auto found = toward(light, from, numbers);
-        if (!found) FAIL("nothing for random numbers " << numbers);
-        all.push_back(*found);
-    }
-    return all;
-}
-
 /// In 4 × 4 equal parts, whose solid angles are known.
 inline void check_density(const QuadLight& light, const Vec3& from, std::uint64_t seed, int full = 20000) {
     INFO(show(light) << " from " << from << ", in 4 by 4 equal parts");

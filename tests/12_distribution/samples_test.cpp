@@ -4,9 +4,12 @@
 #include "tests/catch.hpp"
 #include "tests/chi_square.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -18,15 +21,27 @@ namespace {
 
 // Each χ² test fails a right program once in ten million runs, and each step has at most seven of them: less
 // than once in a million. The contract promises that two thousand keys show nothing.
-constexpr std::uint64_t keys = 2000;
+constexpr std::size_t keys = 2000;
+
+/// A key from anywhere.
+std::uint64_t any_key(std::uint64_t number) { return test::Random(number).engine(); }
 
 /// Keys one after the other, from anywhere.
-std::uint64_t first_key(std::uint64_t number) { return test::Random(number).engine(); }
+std::vector<std::uint64_t> successive_keys(std::uint64_t number, std::size_t count = keys) {
+    std::vector<std::uint64_t> all(count);
+    std::iota(all.begin(), all.end(), any_key(number));
+    return all;
+}
+
+/// 0 … count − 1.
+std::vector<std::uint32_t> indices(std::uint32_t count) {
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+}
 
 std::vector<std::uint32_t> order_of(std::uint32_t count, std::uint64_t key) {
-    std::vector<std::uint32_t> places;
-    for (std::uint32_t i = 0; i < count; ++i) places.push_back(permuted(i, count, key));
-    return places;
+    return test::answers(indices(count), [&](std::uint32_t i) { return permuted(i, count, key); });
 }
 
 /// Whether each of 0 … count − 1 is there once.
@@ -73,14 +88,12 @@ void check_even(const std::vector<int>& counts) {
 }
 
 void check_one_in_each(std::uint32_t count, std::uint64_t key) {
+    const std::vector<Real> numbers =
+        test::answers(indices(count), [&](std::uint32_t i) { return stratified_number(i, count, key); });
     std::vector<int> inside(count);
-    std::vector<Real> numbers;
     const Real all = count;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Real x = stratified_number(i, count, key);
-        numbers.push_back(x);
+    for (const Real x : numbers)
         for (std::uint32_t k = 0; k < count; ++k) inside[k] += k / all <= x && x < (k + 1) / all;
-    }
     INFO(count << " numbers of the key " << key);
     if (count <= 16) INFO("they are " << numbers);
     for (std::uint32_t k = 0; k < count; ++k) {
@@ -108,8 +121,8 @@ std::vector<Stratum> all_strata(std::uint32_t count) {
 }
 
 void check_one_point_in_each(std::uint32_t count, std::uint64_t key) {
-    std::vector<Vec2> points;
-    for (std::uint32_t i = 0; i < count; ++i) points.push_back(stratified_point(i, count, key));
+    const std::vector<Vec2> points =
+        test::answers(indices(count), [&](std::uint32_t i) { return stratified_point(i, count, key); });
     INFO(count << " points of the key " << key);
     if (count <= 16) INFO("they are " << points);
     for (const Stratum& part : all_strata(count)) {
@@ -153,23 +166,25 @@ TEST_CASE("each place once, for any number of samples", "[12.1]") {
 }
 
 TEST_CASE("an index comes to each place equally often", "[12.1]") {
-    const std::uint64_t key = first_key(12102);
     for (const std::uint32_t count : {2u, 5u, 16u}) {
         std::vector<int> places(count);
-        for (std::uint64_t i = 0; i < keys; ++i) ++places[std::min(permuted(1, count, key + i), count - 1)];
+        for (const std::uint32_t place : test::answers(
+                 successive_keys(12102), [&](std::uint64_t key) { return permuted(1, count, key); }))
+            ++places[std::min(place, count - 1)];
         INFO("the places of sample 1 of " << count << " by " << keys << " keys");
         check_even(places);
     }
 }
 
 TEST_CASE("two samples come to each pair of places equally often", "[12.1]") {
-    const std::uint64_t key = first_key(12103);
     for (const std::uint32_t count : {4u, 9u, 16u}) {
         std::vector<int> pairs(count * (count - 1));
         const std::uint32_t one = count / 2 - 1, other = count / 2;
-        for (std::uint64_t i = 0; i < keys; ++i) {
-            const std::uint32_t a = std::min(permuted(one, count, key + i), count - 1);
-            const std::uint32_t b = std::min(permuted(other, count, key + i), count - 1);
+        const auto places = test::answers(successive_keys(12103), [&](std::uint64_t key) {
+            return std::array{permuted(one, count, key), permuted(other, count, key)};
+        });
+        for (const auto& place : places) {
+            const std::uint32_t a = std::min(place[0], count - 1), b = std::min(place[1], count - 1);
             ++pairs[a * (count - 1) + std::min(b < a ? b : b - 1, count - 2)];
         }
         INFO("the places of samples " << one << " and " << other << " of " << count << " by " << keys
@@ -179,18 +194,17 @@ TEST_CASE("two samples come to each pair of places equally often", "[12.1]") {
 }
 
 TEST_CASE("neighbouring keys have independent orders", "[12.1]") {
-    const std::uint64_t key = first_key(12104);
+    const std::vector<std::uint32_t> places = test::answers(
+        successive_keys(12104, 2 * keys), [](std::uint64_t key) { return permuted(3, 8, key); });
     std::vector<int> same(64);
-    for (std::uint64_t i = 0; i < keys; ++i) {
-        const std::uint32_t a = std::min(permuted(3, 8, key + 2 * i), 7u);
-        ++same[8 * a + std::min(permuted(3, 8, key + 2 * i + 1), 7u)];
-    }
+    for (std::size_t i = 0; i < places.size(); i += 2)
+        ++same[8 * std::min(places[i], 7u) + std::min(places[i + 1], 7u)];
     INFO("the places of sample 3 of 8 by a key and by the next one");
     check_even(same);
 }
 
 TEST_CASE("every bit of the key counts", "[12.1]") {
-    const std::uint64_t key = first_key(12105);
+    const std::uint64_t key = any_key(12105);
     for (int bit = 0; bit < 64; ++bit) {
         INFO("the keys " << key << " and " << (key ^ std::uint64_t(1) << bit) << " differ in bit " << bit);
         // By chance once in 32! = 2.6e35 times.
@@ -234,22 +248,24 @@ TEST_CASE("one point in each stratum, for any number of samples", "[12.2]") {
 
 TEST_CASE("a stratum alone is the same as among all", "[12.2]") {
     for (std::uint32_t count = 1; count <= 100; ++count) {
-        const std::vector<Stratum> parts = all_strata(count);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const Stratum part = stratum(i, count);
-            INFO("number " << i << " of " << count << " strata: " << part);
-            REQUIRE(part.low == parts[i].low);
-            REQUIRE(part.high == parts[i].high);
+        const std::vector<Stratum> expected = all_strata(count);
+        const std::vector<Stratum> parts =
+            test::answers(indices(count), [&](std::uint32_t i) { return stratum(i, count); });
+        for (std::size_t i = 0; i < count; ++i) {
+            INFO("number " << i << " of " << count << " strata: " << parts[i]);
+            REQUIRE(parts[i].low == expected[i].low);
+            REQUIRE(parts[i].high == expected[i].high);
         }
     }
 }
 
 TEST_CASE("a number is anywhere in its part, wherever the others are in theirs", "[12.2]") {
-    const std::uint64_t key = first_key(12203);
+    const auto numbers = test::answers(successive_keys(12203), [](std::uint64_t key) {
+        return std::array{stratified_number(0, 8, key), stratified_number(1, 8, key)};
+    });
     std::vector<int> within(64), neighbours(64);
-    for (std::uint64_t i = 0; i < keys; ++i) {
-        const Place a = place_of(stratified_number(0, 8, key + i), 8);
-        const Place b = place_of(stratified_number(1, 8, key + i), 8);
+    for (const auto& pair : numbers) {
+        const Place a = place_of(pair[0], 8), b = place_of(pair[1], 8);
         ++within[8 * a.part + cell(a.within, 8)];
         ++neighbours[8 * cell(a.within, 8) + cell(b.within, 8)];
     }
@@ -262,25 +278,27 @@ TEST_CASE("a number is anywhere in its part, wherever the others are in theirs",
 }
 
 TEST_CASE("a point is anywhere in its stratum", "[12.2]") {
-    const std::uint64_t key = first_key(12204);
+    const std::vector<Vec2> points =
+        test::answers(successive_keys(12204), [](std::uint64_t key) { return stratified_point(2, 16, key); });
     std::vector<int> within(64);
-    for (std::uint64_t i = 0; i < keys; ++i) {
-        const Vec2 p = stratified_point(2, 16, key + i);
+    for (const Vec2& p : points)
         ++within[8 * cell(place_of(p.x, 4).within, 8) + cell(place_of(p.y, 4).within, 8)];
-    }
     INFO("where point 2 of 16 is in its stratum, across and down: neither says anything of the other");
     check_even(within);
 }
 
 TEST_CASE("neighbouring keys have nothing to do with each other", "[12.2]") {
-    const std::uint64_t key = first_key(12205);
+    const std::vector<std::uint64_t> all = successive_keys(12205, 2 * keys);
+    const std::vector<Real> number =
+        test::answers(all, [](std::uint64_t key) { return stratified_number(5, 8, key); });
+    const std::vector<Vec2> point =
+        test::answers(all, [](std::uint64_t key) { return stratified_point(5, 16, key); });
     std::vector<int> parts(64), numbers(64), points(64);
-    for (std::uint64_t i = 0; i < keys; ++i) {
-        const Place a = place_of(stratified_number(5, 8, key + 2 * i), 8);
-        const Place b = place_of(stratified_number(5, 8, key + 2 * i + 1), 8);
+    for (std::size_t i = 0; i < all.size(); i += 2) {
+        const Place a = place_of(number[i], 8), b = place_of(number[i + 1], 8);
         ++parts[8 * a.part + b.part];
         ++numbers[8 * cell(a.within, 8) + cell(b.within, 8)];
-        const Vec2 p = stratified_point(5, 16, key + 2 * i), q = stratified_point(5, 16, key + 2 * i + 1);
+        const Vec2 &p = point[i], &q = point[i + 1];
         ++points[8 * cell(place_of(p.y, 4).within, 8) + cell(place_of(q.x, 4).within, 8)];
     }
     {

@@ -4,10 +4,12 @@
 #include "tests/catch.hpp"
 #include "tests/chi_square.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -20,10 +22,24 @@ namespace {
 
 // Each χ² test fails a right program once in ten million runs, and each step has at most eight of them: less
 // than once in a million. The contract promises that two thousand keys show nothing.
-constexpr std::uint64_t keys = 2000;
+constexpr std::size_t keys = 2000;
+
+/// A key from anywhere.
+std::uint64_t any_key(std::uint64_t number) { return test::Random(number).engine(); }
 
 /// Keys one after the other, from anywhere.
-std::uint64_t first_key(std::uint64_t number) { return test::Random(number).engine(); }
+std::vector<std::uint64_t> successive_keys(std::uint64_t number, std::size_t count = keys) {
+    std::vector<std::uint64_t> all(count);
+    std::iota(all.begin(), all.end(), any_key(number));
+    return all;
+}
+
+/// The 2^k numbers from `first` on.
+std::vector<std::uint32_t> indices_from(std::uint32_t first, int k) {
+    std::vector<std::uint32_t> all(std::size_t(1) << k);
+    std::iota(all.begin(), all.end(), first);
+    return all;
+}
 
 void check_even(const std::vector<int>& counts) {
     INFO("chi-square of " << counts.size() << " classes that should be equally full: " << chi_square(counts)
@@ -68,9 +84,7 @@ void check_net(const std::vector<Vec2>& points, int k) {
 }
 
 std::vector<Vec2> points_from(std::uint32_t first, int k, std::uint64_t key) {
-    std::vector<Vec2> points;
-    for (std::uint32_t i = 0; i < std::uint32_t(1) << k; ++i) points.push_back(sobol_point(first + i, key));
-    return points;
+    return test::answers(indices_from(first, k), [&](std::uint32_t i) { return sobol_point(i, key); });
 }
 
 /// Of the four pixels of a square of two by two, row by row: which place of the four each has.
@@ -140,8 +154,9 @@ TEST_CASE("in every dimension the first 2^k points are one in each 2^k-th part",
     for (std::uint32_t dimension = 0; dimension < sobol_dimensions; ++dimension)
         for (int k = 1; k <= 8; ++k) {
             std::vector<int> inside(std::size_t(1) << k);
-            for (std::uint32_t i = 0; i < std::uint32_t(1) << k; ++i)
-                ++inside[sobol_bits(i, dimension) >> (32 - k)];
+            for (const std::uint32_t bits :
+                 test::answers(indices_from(0, k), [&](std::uint32_t i) { return sobol_bits(i, dimension); }))
+                ++inside[bits >> (32 - k)];
             INFO("dimension " << dimension << ", " << (1 << k) << " points");
             REQUIRE(*std::max_element(inside.begin(), inside.end()) == 1);
         }
@@ -152,9 +167,9 @@ TEST_CASE("dimensions 0 and 1 are a net for every power of two, wherever it begi
     for (int k = 1; k <= 8; ++k)
         for (const std::uint32_t part : {0u, 1u, random_32(random)}) {
             const std::uint32_t begin = part << k;
-            std::vector<Vec2> points;
-            for (std::uint32_t i = begin; i - begin < std::uint32_t(1) << k; ++i)
-                points.push_back({fraction(sobol_bits(i, 0)), fraction(sobol_bits(i, 1))});
+            const std::vector<Vec2> points = test::answers(indices_from(begin, k), [](std::uint32_t i) {
+                return Vec2(fraction(sobol_bits(i, 0)), fraction(sobol_bits(i, 1)));
+            });
             INFO("points " << begin << " to " << begin + (std::uint32_t(1) << k) - 1);
             check_net(points, k);
         }
@@ -221,11 +236,11 @@ TEST_CASE("each bit is flipped by half of the keys", "[12.4]") {
 }
 
 TEST_CASE("the coin of the second bit is another one after a 0 than after a 1", "[12.4]") {
-    const std::uint64_t key = first_key(12403);
+    const auto both = test::answers(successive_keys(12403), [](std::uint64_t key) {
+        return std::array{owen_scrambled(0, key), owen_scrambled(0x80000000, key)};
+    });
     std::vector<int> first_and_low(4), first_and_high(4), low_and_high(4);
-    for (std::uint64_t i = 0; i < keys; ++i) {
-        const std::uint32_t from_low = owen_scrambled(0, key + i);
-        const std::uint32_t from_high = owen_scrambled(0x80000000, key + i);
+    for (const auto& [from_low, from_high] : both) {
         const unsigned first = bit_of(from_low, 1), low = bit_of(from_low, 2), high = bit_of(from_high, 2);
         ++first_and_low[2 * first + low];
         ++first_and_high[2 * first + high];
@@ -244,18 +259,17 @@ TEST_CASE("the coin of the second bit is another one after a 0 than after a 1", 
 }
 
 TEST_CASE("neighbouring keys toss coins of their own", "[12.4]") {
-    const std::uint64_t key = first_key(12404);
+    const std::vector<std::uint32_t> scrambled = test::answers(
+        successive_keys(12404, 2 * keys), [](std::uint64_t key) { return owen_scrambled(0, key); });
     std::vector<int> coins(16);
-    for (std::uint64_t i = 0; i < keys; ++i) {
-        const std::uint32_t a = owen_scrambled(0, key + 2 * i), b = owen_scrambled(0, key + 2 * i + 1);
-        ++coins[4 * (a >> 30) + (b >> 30)];
-    }
+    for (std::size_t i = 0; i < scrambled.size(); i += 2)
+        ++coins[4 * (scrambled[i] >> 30) + (scrambled[i + 1] >> 30)];
     INFO("the first two bits of what 0 becomes, by a key and by the next");
     check_even(coins);
 }
 
 TEST_CASE("every bit of the key changes the coins", "[12.4]") {
-    const std::uint64_t key = first_key(12405);
+    const std::uint64_t key = any_key(12405);
     for (int bit = 0; bit < 64; ++bit) {
         INFO("the keys " << key << " and " << (key ^ std::uint64_t(1) << bit) << " differ in bit " << bit);
         int different = 0;
@@ -288,27 +302,20 @@ TEST_CASE("2^k points are a net, wherever they begin", "[12.5]") {
 }
 
 TEST_CASE("taken over the keys, a point is anywhere", "[12.5]") {
-    const std::uint64_t key = first_key(12502);
     std::vector<int> cells(64);
-    for (std::uint64_t i = 0; i < keys; ++i) {
-        const Vec2 p = sobol_point(5, key + i);
+    for (const Vec2& p :
+         test::answers(successive_keys(12502), [](std::uint64_t key) { return sobol_point(5, key); }))
         ++cells[static_cast<std::size_t>(8 * p.y) % 8 * 8 + static_cast<std::size_t>(8 * p.x) % 8];
-    }
     INFO("where point 5 is, on a board of 8 by 8");
     check_even(cells);
 }
 
 TEST_CASE("points 0 and 2 are in the same half, or not, as the key says", "[12.5]") {
-    const std::uint64_t key = first_key(12503);
+    const std::vector<unsigned> same = test::answers(successive_keys(12503, 2 * keys), [](std::uint64_t key) {
+        return bit_of(sobol_point(0, key).x, 1) == bit_of(sobol_point(2, key).x, 1) ? 1u : 0u;
+    });
     std::vector<int> halves(4);
-    for (std::uint64_t i = 0; i < keys; ++i) {
-        const auto same = [](const Vec2& a, const Vec2& b) {
-            return bit_of(a.x, 1) == bit_of(b.x, 1) ? 1u : 0u;
-        };
-        const std::uint64_t one = key + 2 * i, next = key + 2 * i + 1;
-        ++halves[2 * same(sobol_point(0, one), sobol_point(2, one)) +
-                 same(sobol_point(0, next), sobol_point(2, next))];
-    }
+    for (std::size_t i = 0; i < same.size(); i += 2) ++halves[2 * same[i] + same[i + 1]];
     INFO(
         "whether both are in the left half or both in the right one, by a key and by the next: if that is "
         "the "
@@ -317,14 +324,17 @@ TEST_CASE("points 0 and 2 are in the same half, or not, as the key says", "[12.5
 }
 
 TEST_CASE("across and down have coins of their own, as have neighbouring keys", "[12.5]") {
-    const std::uint64_t key = first_key(12504);
+    struct Differ {
+        unsigned across = 0, down = 0;
+    };
+    const std::vector<Differ> differ = test::answers(successive_keys(12504, 2 * keys), [](std::uint64_t key) {
+        const Vec2 a = sobol_point(0, key), b = sobol_point(1, key);
+        return Differ{bit_of(a.x, 2) ^ bit_of(b.x, 2), bit_of(a.y, 2) ^ bit_of(b.y, 2)};
+    });
     std::vector<int> own(4), next(4);
-    for (std::uint64_t i = 0; i < keys; ++i) {
-        const Vec2 a = sobol_point(0, key + 2 * i), b = sobol_point(1, key + 2 * i);
-        const Vec2 c = sobol_point(0, key + 2 * i + 1), d = sobol_point(1, key + 2 * i + 1);
-        const unsigned across = bit_of(a.x, 2) ^ bit_of(b.x, 2), down = bit_of(a.y, 2) ^ bit_of(b.y, 2);
-        ++own[2 * across + down];
-        ++next[2 * down + (bit_of(c.x, 2) ^ bit_of(d.x, 2))];
+    for (std::size_t i = 0; i < differ.size(); i += 2) {
+        ++own[2 * differ[i].across + differ[i].down];
+        ++next[2 * differ[i].down + differ[i + 1].across];
     }
     {
         INFO("whether the second bits of points 0 and 1 differ, across and down");
@@ -373,13 +383,16 @@ TEST_CASE("after 4096 pixels it begins again", "[12.5]") {
 }
 
 TEST_CASE("a square of pixels has each of the 24 orders equally often", "[12.5]") {
-    const std::uint64_t key = first_key(12506);
+    const std::vector<std::uint64_t> all = successive_keys(12506);
     std::vector<int> by_key(24), by_place(24);
-    for (std::uint64_t i = 0; i < keys; ++i) {
-        ++by_key[number_of(order_in_square(34, 56, key + i))];
-        const auto at = static_cast<std::uint32_t>(i);
-        ++by_place[number_of(order_in_square(2 * (at % 50), 2 * (at / 50), key))];
-    }
+    for (const auto& order :
+         test::answers(all, [](std::uint64_t key) { return order_in_square(34, 56, key); }))
+        ++by_key[number_of(order)];
+    std::vector<std::uint32_t> squares(keys);
+    std::iota(squares.begin(), squares.end(), 0u);
+    for (const auto& order : test::answers(
+             squares, [&](std::uint32_t i) { return order_in_square(2 * (i % 50), 2 * (i / 50), all[0]); }))
+        ++by_place[number_of(order)];
     {
         INFO("the square at (34, 56), by " << keys << " keys");
         check_even(by_key);

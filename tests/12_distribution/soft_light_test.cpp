@@ -4,6 +4,7 @@
 #include "tests/12_distribution/soft_light_checks.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
+#include "tests/together.hpp"
 
 #include <array>
 #include <cmath>
@@ -40,9 +41,12 @@ struct Measured {
 };
 Measured measure(const AreaLight& light, const Vec3& point, const Vec3& normal, LightSampling how, int count,
                  Random& random) {
+    std::vector<std::optional<LightSample>> samples(static_cast<std::size_t>(count));
+    test::together(samples.size(), [&](std::size_t i) {
+        samples[i] = sample_light(light, point, how, square_point(random));
+    });
     Vec3 sum(0), squares(0);
-    for (int i = 0; i < count; ++i) {
-        const auto sample = sample_light(light, point, how, square_point(random));
+    for (const auto& sample : samples) {
         const Vec3 one = sample ? sample->color * std::max(dot(normal, sample->direction), Real(0)) : Vec3(0);
         sum += one;
         squares += one * one;
@@ -174,14 +178,15 @@ TEST_CASE("by area the points are even on the lamp, however near it is", "[12.18
     // 1/10 below the middle: by angle almost all of them would be in the four parts there.
     const AreaLight light{ceiling(0.1, -1, 1, -1, 1), Vec3(1)};
     std::vector<int> counts(16, 0);
-    Random random(12184);
     const int drawn = cases(20000);
-    for (int i = 0; i < drawn; ++i) {
-        const Vec2 numbers = square_point(random);
-        const auto sample = sample_light(light, Vec3(0), LightSampling::Area, numbers);
-        INFO("by area, seen from the origin, random numbers " << numbers);
-        REQUIRE(test::or_say(sample.has_value(), "nothing"));
-        const Vec3 found = sample->distance * sample->direction;
+    const auto pairs = test::many(static_cast<std::size_t>(drawn), 12184, square_point);
+    const auto samples = test::answers(pairs, [&](const Vec2& numbers) {
+        return sample_light(light, Vec3(0), LightSampling::Area, numbers);
+    });
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        INFO("by area, seen from the origin, random numbers " << pairs[i]);
+        REQUIRE(test::or_say(samples[i].has_value(), "nothing"));
+        const Vec3 found = samples[i]->distance * samples[i]->direction;
         const auto part = [](Real x) {
             return static_cast<std::size_t>(std::clamp(2 * (x + 1), Real(0), Real(3.5)));
         };

@@ -87,11 +87,8 @@ TEST_CASE("tiny spheres are evenly dense", "[12.11][stability]") {
         const SphereLight light{axis, sine};
         INFO(test::show(light) << " from the origin: 8 rings of equal solid angles, in quarters");
         std::vector<int> counts(32, 0);
-        Random random(12121);
-        for (int i = 0; i < cases(20000); ++i) {
-            const auto found = toward(light, Vec3(0), test::square_point(random));
-            if (!found) FAIL("nothing");
-            const Vec3 w = found->direction;
+        for (const LightDirection& one : test::directions_to(light, Vec3(0), 12121)) {
+            const Vec3 w = one.direction;
             const Real ring = (w.x * w.x + w.y * w.y) / (sine * sine);
             ++counts[4 * static_cast<std::size_t>(std::clamp(8 * ring, 0.0, 7.5)) + (w.x > 0 ? 2U : 0U) +
                      (w.y > 0 ? 1U : 0U)];

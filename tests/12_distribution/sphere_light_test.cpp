@@ -9,6 +9,7 @@
 
 using namespace rt;
 using test::cases;
+using test::directions_to;
 using test::near;
 using test::Random;
 using test::square_point;
@@ -17,19 +18,6 @@ namespace {
 
 /// Radius 3, seen from 5 away: the cone's sine is 3/5, its cosine 4/5, and the tangents are 4 long.
 const SphereLight ball{{0, 0, 5}, 3};
-
-/// Directions to the light, each of which must exist.
-std::vector<LightDirection> directions_to(const SphereLight& light, const Vec3& from, std::uint64_t seed) {
-    std::vector<LightDirection> all;
-    Random random(seed);
-    for (int i = 0; i < cases(20000); ++i) {
-        const Vec2 numbers = square_point(random);
-        const auto found = toward(light, from, numbers);
-        if (!found) FAIL("nothing for random numbers " << numbers);
-        all.push_back(*found);
-    }
-    return all;
-}
 
 void check_solid_angle(const SphereLight& light, const Vec3& from, Real expected, Real part) {
     INFO("the solid angle of a " << test::show(light) << " seen from " << from);

@@ -84,11 +84,8 @@ void check_density(const Sight& view, std::uint64_t seed) {
     INFO(test::show(view.light) << " from " << view.from << ", in 16 smaller triangles");
     const test::LongTriangle t = test::long_triangle(view.light, view.from);
     std::vector<int> counts(32, 0);
-    Random random(seed);
-    for (int i = 0; i < cases(8000); ++i) {
-        const auto found = toward(view.light, view.from, test::square_point(random));
-        if (!found) FAIL("nothing");
-        const Vec2 at = test::place_in(test::beyond_corner(*found, t.a), t.ab, t.ac);
+    for (const LightDirection& one : test::directions_to(view.light, view.from, seed, 8000)) {
+        const Vec2 at = test::place_in(test::beyond_corner(one, t.a), t.ab, t.ac);
         ++counts[test::part_of_triangle(at.x, at.y)];
     }
     test::check_counts(counts, test::parts_of_triangle(t), cases(8000));

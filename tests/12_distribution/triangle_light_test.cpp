@@ -9,6 +9,7 @@
 
 using namespace rt;
 using test::cases;
+using test::directions_to;
 using test::LongVec;
 using test::near;
 using test::Random;
@@ -19,19 +20,6 @@ namespace {
 /// Seen from the origin it is an eighth of all directions; its corners run counterclockwise from there.
 const TriangleLight octant{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
 const TriangleLight turned_octant{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-
-/// Directions to the light, each of which must exist.
-std::vector<LightDirection> directions_to(const TriangleLight& light, const Vec3& from, std::uint64_t seed) {
-    std::vector<LightDirection> all;
-    Random random(seed);
-    for (int i = 0; i < cases(20000); ++i) {
-        const Vec2 numbers = square_point(random);
-        const auto found = toward(light, from, numbers);
-        if (!found) FAIL("nothing for random numbers " << numbers);
-        all.push_back(*found);
-    }
-    return all;
-}
 
 void check_density(const TriangleLight& light, const Vec3& from, std::uint64_t seed) {
     INFO(test::show(light) << " from " << from << ", in 16 smaller triangles");

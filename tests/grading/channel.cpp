@@ -23,7 +23,7 @@ constexpr std::size_t part_size = page + most;
 constexpr std::size_t size = page + 2 * part_size;
 constexpr int most_spins =
     2000;  // some 50 µs: being woken takes about as long where the core had nothing to do
-constexpr int try_again = 1024;  // messages after which spinning may help again
+constexpr int try_again = 32;  // messages after which spinning may help again
 
 struct Header {
     std::uint32_t kind = 0;

@@ -320,7 +320,7 @@ std::optional<std::vector<std::byte>> ask(std::uint32_t number, std::string_view
                                           std::span<const std::byte> arguments, const Callbacks& callbacks) {
     const std::lock_guard lock(one_at_a_time);
     if (is_together() && callbacks.empty() && open_callbacks == 0) {
-        Call call{number, {arguments.begin(), arguments.end()}, {}};
+        Call call{number, arguments, {}};
         if (!answered_together(call)) return {};
         return outcome_of(std::move(*call.answer), name);
     }

@@ -217,7 +217,7 @@ void make(const fs::path& directory, int count, std::uint64_t seed, const std::v
             for (const Step& step : material.chapter->steps) {
                 const Points points = whole_points(step.points);
                 const Points due = student.earned.contains(step.id) ? points : Points{};
-                if (!step.optional) possible += points;  // else extra credit
+                if (!step.optional) possible += points;  // else it is extra credit
                 earned += due;
                 columns += "," + text_of(due);
             }

@@ -4,44 +4,39 @@
 
 #include "tests/together.hpp"
 
-#include <sys/mman.h>
-#include <ucontext.h>
+#include <boost/context/fiber.hpp>
+#include <boost/context/protected_fixedsize_stack.hpp>
 
 #include <algorithm>
 #include <exception>
 #include <functional>
 #include <map>
 #include <memory>
-#include <new>
 #include <utility>
 
 namespace rt::grading {
 
 namespace {
 
-constexpr std::size_t most_jobs = 256, stack_size = std::size_t{256} << 10, page = 4096;
+using boost::context::fiber;
+using boost::context::stack_context;
 
-/// Memory for a stack, and below it a page that nobody may touch.
-class Stack {
-public:
-    Stack()
-        : memory(::mmap(nullptr, stack_size, PROT_READ | PROT_WRITE,
-                        MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0)) {
-        if (memory == MAP_FAILED || ::mprotect(memory, page, PROT_NONE) != 0) throw std::bad_alloc();
+constexpr std::size_t most_jobs = 256, stack_size = std::size_t{256} << 10;
+
+/// Stacks with a page below that nobody may touch, kept from one run of jobs to the next.
+struct KeptStacks {
+    static std::vector<stack_context>& kept() {
+        static std::vector<stack_context> stacks;
+        return stacks;
     }
-    ~Stack() { ::munmap(memory, stack_size); }
-    Stack(const Stack&) = delete;
-    Stack& operator=(const Stack&) = delete;
-
-    void* const memory;
+    stack_context allocate() const {
+        if (kept().empty()) return boost::context::protected_fixedsize_stack(stack_size).allocate();
+        const stack_context stack = kept().back();
+        kept().pop_back();
+        return stack;
+    }
+    void deallocate(stack_context& stack) const noexcept { kept().push_back(stack); }
 };
-
-/// The stack of the job at a place: kept from one run to the next.
-const Stack& stack(std::size_t place) {
-    static std::vector<std::unique_ptr<Stack>> stacks;
-    while (stacks.size() <= place) stacks.push_back(std::make_unique<Stack>());
-    return *stacks[place];
-}
 
 class Jobs {
 public:
@@ -55,30 +50,25 @@ public:
 private:
     /// One of those that are under way; one after the other.
     struct Place {
-        ucontext_t context;
+        fiber stopped;  // nothing when it is done
         Call* call = nullptr;
-        bool is_done = false;
     };
 
-    static void begin();
-    void work();
-    void make(Place& place, const Stack& its_stack);
-    void go_on(Place& place);
+    fiber work(fiber&& scheduler);
 
     std::size_t count_, next_ = 0;
     const std::function<void(std::size_t)>& job_;
     std::map<std::size_t, std::exception_ptr> thrown_;
     std::vector<std::unique_ptr<Place>> places_;
-    ucontext_t scheduler_;
+    fiber scheduler_;
     Place* current_ = nullptr;
     bool one_by_one_ = false;
 };
 
 Jobs* jobs = nullptr;  // those that run now
 
-void Jobs::begin() { jobs->work(); }
-
-void Jobs::work() {
+fiber Jobs::work(fiber&& scheduler) {
+    scheduler_ = std::move(scheduler);
     while (next_ < count_) {
         const std::size_t i = next_++;
         try {
@@ -88,19 +78,12 @@ void Jobs::work() {
             next_ = count_;
         }
     }
-    current_->is_done = true;
-}
-
-void Jobs::go_on(Place& place) {
-    current_ = &place;
-    ::swapcontext(&scheduler_, &place.context);
-    current_ = nullptr;
+    return std::move(scheduler_);
 }
 
 bool Jobs::wait_for(Call& call) {
-    Place& place = *current_;
-    place.call = &call;
-    ::swapcontext(&place.context, &scheduler_);
+    current_->call = &call;
+    scheduler_ = std::move(scheduler_).resume();
     return call.answer.has_value();
 }
 
@@ -112,20 +95,18 @@ bool Jobs::answer_waiting() {
     return !waiting.empty();
 }
 
-void Jobs::make(Place& place, const Stack& its_stack) {
-    ::getcontext(&place.context);
-    place.context.uc_stack.ss_sp = its_stack.memory;
-    place.context.uc_stack.ss_size = stack_size;
-    place.context.uc_link = &scheduler_;
-    ::makecontext(&place.context, &Jobs::begin, 0);
-}
-
 void Jobs::run() {
     for (std::size_t i = 0; i < std::min(count_, most_jobs); ++i)
-        make(*places_.emplace_back(std::make_unique<Place>()), stack(i));
+        places_.push_back(
+            std::make_unique<Place>(Place{fiber(std::allocator_arg, KeptStacks(), [this](fiber&& scheduler) {
+                return work(std::move(scheduler));
+            })}));
     while (!places_.empty()) {
-        for (const auto& place : places_) go_on(*place);
-        std::erase_if(places_, [](const auto& place) { return place->is_done; });
+        for (const auto& place : places_) {
+            current_ = place.get();
+            place->stopped = std::move(place->stopped).resume();
+        }
+        std::erase_if(places_, [](const auto& place) { return !place->stopped; });
         answer_waiting();
     }
     if (!thrown_.empty()) std::rethrow_exception(thrown_.begin()->second);

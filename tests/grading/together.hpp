@@ -13,8 +13,8 @@ namespace rt::grading {
 /// A call that waits for others, and the answer to it.
 struct Call {
     std::uint32_t number = 0;
-    std::vector<std::byte> arguments;
-    std::optional<Message> answer;  ///< its kind and bytes
+    std::span<const std::byte> arguments;  ///< which stay where they are until it is answered
+    std::optional<Message> answer;         ///< its kind and bytes
 };
 
 /// Whether the caller is a job that runs together with others, and not one by one.

@@ -152,6 +152,15 @@ TEST_CASE("attacks on the grader get their marks, and leave the machine as it wa
     CHECK(text_of(required_points(grader.grade(perfect))) == "70");
 }
 
+TEST_CASE("what submissions are compiled with does not say where the course lies", "[attacks]") {
+    if (!test::best_level()) return;
+    const Project project = this_project();
+    const Workshop builds_it(project, {}, *test::best_level());
+    const std::string compiled = read_file(project.build / "grading/common.hpp.gch");
+    CHECK(compiled.find("common/world/query.hpp") != std::string::npos);
+    CHECK(compiled.find(test::repository()) == std::string::npos);
+}
+
 TEST_CASE("whoever takes too long loses what was not yet tested, and nothing that was", "[attacks]") {
     const std::optional<Isolation> level = test::best_level();
     if (!level) return;
