@@ -75,6 +75,10 @@ Bounds merge(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low),
 
 Bounds grown(const Bounds& box, Real by) { return {box.low - by, box.high + by}; }
 
+bool is_empty(const Bounds& box) {
+    return !(box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z);
+}
+
 std::optional<Interval> clip(const Bounds& box, const Ray& ray, Interval range) {
     // 09.2  Return the part of the range in which the ray is inside the box. Widen what you compute
     // by gamma(3) of its size (common/math/error.hpp), so that nothing is lost.
@@ -82,6 +86,20 @@ std::optional<Interval> clip(const Bounds& box, const Ray& ray, Interval range) 
     //   – The box is closed, so an interval of one point is not empty: only min > max is.
     //   – A box with low > high along some axis is empty.
     return todo("09.2");
+}
+
+Allowance allowance_for(const Bounds& around, Real distortion) {
+    const Real edge = max_component(around.high - around.low);
+    const Real greatest = max_component(glm::max(glm::abs(around.low), glm::abs(around.high)));
+    return {.margin = distortion * (0x1p-30 * edge + 0x1p-44 * greatest), .reach = 0x1p16 * edge};
+}
+
+bool is_within_reach(const Ray& ray, const Bounds& box, Real reach) {
+    const Vec3 away = glm::abs(ray.origin - (box.low + box.high) * Real(0.5));
+    if (!(away.x <= reach && away.y <= reach && away.z <= reach)) return false;
+    const Vec3 d = glm::abs(ray.direction);
+    const auto is_moderate = [&](Real x) { return x == 0 || (x >= 0x1p-900 * reach && x <= 0x1p900 * reach); };
+    return is_moderate(d.x) && is_moderate(d.y) && is_moderate(d.z);
 }
 
 }  // namespace rt

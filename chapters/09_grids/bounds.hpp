@@ -41,6 +41,9 @@ Bounds merge(const Bounds& a, const Bounds& b);
 /// The box with every face moved out by `by`. Given.
 Bounds grown(const Bounds& box, Real by);
 
+/// Whether no point is in the box. Given.
+bool is_empty(const Bounds& box);
+
 /// [09.2] The part of the ray inside the box, or nothing if that is empty (Kay & Kajiya 1986).
 ///
 /// The box is closed: a ray along a face, an edge, or through a corner is inside there. A direction of ±0
@@ -49,5 +52,20 @@ Bounds grown(const Bounds& box, Real by);
 /// underflow: each computed distance is widened by gamma(3), its two roundings and one more for the widening
 /// (Ize 2013). An empty box is always missed.
 std::optional<Interval> clip(const Bounds& box, const Ray& ray, Interval range);
+
+/// What an accelerator allows for rounding, so that it finds what asking every shape finds, to the bit.
+struct Allowance {
+    Real margin = 0;  ///< by how much its boxes are larger than what is in them, on each side
+    Real reach = 0;   ///< how far from the middle of all, along each axis, a ray may start and still be exact
+};
+
+/// The allowance for shapes in this box: a margin of 2^-30 of its longest edge, and 2^-44 of its greatest
+/// coordinate, times `distortion`, the greatest of the shapes' transforms; a reach of 2^16 longest edges.
+/// Given.
+Allowance allowance_for(const Bounds& around, Real distortion);
+
+/// Whether a ray's rounding errors stay below the margin of an accelerator whose outermost box and reach
+/// these are, and its numbers in the range of Real. Given.
+bool is_within_reach(const Ray& ray, const Bounds& box, Real reach);
 
 }  // namespace rt

@@ -87,8 +87,7 @@ CellLists lists_by_cell(std::size_t count, std::span<const std::uint32_t> number
 
 /// The grid over shapes with these bounds, of 09.7 and 09.8. Given, but for its inner grids.
 ///
-/// The margin is 2^-30 of the longest edge of the box around all, and 2^-44 of its greatest coordinate, times
-/// `options.distortion`; `reach` is 2^16 longest edges. The grid's box is that box grown by the margin; a
+/// The margin and the reach are those of `allowance_for`. The grid's box is that box grown by the margin; a
 /// shape is entered into a cell if it overlaps the cell grown by the margin. Shapes without a point (empty
 /// bounds) are in no cell. No cell is thinner than 16 margins. While the cells list more than 8 · density
 /// times as many shapes as there are (all may be in the same place), there are half as many cells along each

@@ -117,15 +117,7 @@ std::vector<CellVisit> cells_along(const GridShape& shape, const Ray& ray, Inter
     return visits;
 }
 
-bool serves(const Grid& grid, const Ray& ray) {
-    const Vec3 away = glm::abs(ray.origin - (grid.shape.box.low + grid.shape.box.high) * Real(0.5));
-    if (!(away.x <= grid.reach && away.y <= grid.reach && away.z <= grid.reach)) return false;
-    const Vec3 d = glm::abs(ray.direction);
-    const auto is_moderate = [&](Real x) {
-        return x == 0 || (x >= 0x1p-900 * grid.reach && x <= 0x1p900 * grid.reach);
-    };
-    return is_moderate(d.x) && is_moderate(d.y) && is_moderate(d.z);
-}
+bool serves(const Grid& grid, const Ray& ray) { return is_within_reach(ray, grid.shape.box, grid.reach); }
 
 void search(const Grid& grid, const Ray& ray, Interval range, const Ask& ask) {
     Search search{ray, ask};

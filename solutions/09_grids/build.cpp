@@ -27,12 +27,6 @@ std::uint32_t number_of(const GridShape& shape, const Cells& cell) {
     return static_cast<std::uint32_t>((cell.z * shape.cells.y + cell.y) * shape.cells.x + cell.x);
 }
 
-bool is_empty(const Bounds& box) {
-    return !(box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z);
-}
-
-Real longest_edge(const Bounds& box) { return max_component(box.high - box.low); }
-
 /// The cells that the box reaches into, up to two margins away.
 CellBlock block_around(const GridShape& shape, const Bounds& box, Real margin) {
     const Vec3 per_length = Vec3(shape.cells) / (shape.box.high - shape.box.low);
@@ -275,14 +269,12 @@ Grid build_grid(std::span<const Bounds> bounds, const Overlaps& overlaps, const 
         return grid;
     }
 
-    const Real edge = longest_edge(around);
-    const Vec3 coordinates = glm::max(glm::abs(around.low), glm::abs(around.high));
-    const Real greatest = max_component(coordinates);
+    const Allowance allowance = allowance_for(around, options.distortion);
     const Task task{.bounds = bounds,
                     .overlaps = overlaps,
                     .options = options,
-                    .margin = options.distortion * (0x1p-30 * edge + 0x1p-44 * greatest),
-                    .reach = 0x1p16 * edge};
+                    .margin = allowance.margin,
+                    .reach = allowance.reach};
     GridShape shape = shape_for(task, grown(around, task.margin), shapes.size());
     std::optional<Grid> grid;
     // Places in the list have 32 bits.
