@@ -1,6 +1,7 @@
 // Draws the figures of lesson 13 into the directory that it is given.
 // Boxes, nodes and counts in them are those of the course's own functions.
 #include "chapters/01_ray_casting/camera.hpp"
+#include "chapters/02_spheres/sphere.hpp"
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/09_grids/walk.hpp"
 #include "chapters/13_hierarchies/build.hpp"
@@ -29,15 +30,15 @@ void note_number(const std::string& name, const Value& value) {
 }
 
 /// The ways of parting the shapes of a node, as the lesson calls them.
-struct NamedSplit {
+struct NamedMethod {
     const char* name;
-    Split split;
+    SplitMethod method;
+    const char* color;
 };
-const std::array<NamedSplit, 3> splits{
-    {{"halves", split_in_halves},
-     {"sweep", [](auto boxes, auto items) { return split_by_sweep(boxes, items); }},
-     {"bins", [](auto boxes, auto items) { return split_by_bins(boxes, items); }}}};
-const Split &halves = splits[0].split, &sweep = splits[1].split, &bins = splits[2].split;
+constexpr std::array<NamedMethod, 4> methods{{{"halves", SplitMethod::Halves, red},
+                                              {"sweep", SplitMethod::Sweep, green},
+                                              {"bins", SplitMethod::Bins, blue},
+                                              {"codes", SplitMethod::Codes, purple}}};
 
 template <class Shape>
 std::vector<Bounds> boxes_of(const std::vector<Shape>& shapes) {
@@ -46,11 +47,11 @@ std::vector<Bounds> boxes_of(const std::vector<Shape>& shapes) {
     return boxes;
 }
 
-Hierarchy built(const std::vector<Bounds>& boxes, const Split& split) {
-    return build_hierarchy(boxes, {.split = split});
+/// The hierarchy by a method; those that know no costs go on to leaves of one shape.
+Hierarchy built(const std::vector<Bounds>& boxes, SplitMethod method) {
+    const bool knows_costs = method == SplitMethod::Sweep || method == SplitMethod::Bins;
+    return build_hierarchy(boxes, {.method = method, .most = knows_costs ? 16u : 1u});
 }
-
-Vec3 middle_of(const Bounds& box) { return Real(0.5) * (box.low + box.high); }
 
 /// A point of the box, uniform.
 Vec3 random_in(const Bounds& box, Random& random) {
@@ -98,22 +99,23 @@ void boxes_below(const Hierarchy& hierarchy, std::uint32_t number, int depth, st
 
 /// A teapot as the boxes of its tree see it, from coarse to fine.
 void draw_levels(const Path& directory) {
-    const Hierarchy tree = built(boxes_of(teapot_of(25)), halves);
+    const Hierarchy tree = built(boxes_of(teapot_of(25)), SplitMethod::Halves);
     std::vector<Image> images;
     for (const int depth : {3, 6, 9, 12}) {
         std::vector<Bounds> boxes;
         boxes_below(tree, 0, depth, boxes);
         note_number(fmt::format("boxes at depth {}", depth), boxes.size());
         std::string scene =
-            "size 346 210\ncamera 1.5 4.2 9  .25 1.5 0  0 1 0  30\nbackground .9 .93 .96\n"
-            "directional .5 1 .7  .8 .76 .7\ndirectional -.8 .3 .5  .14 .17 .22\nambient .1 .1 .1\n"
-            "diffuse .5 .52 .55\nplane 0 -.001 0  0 1 0\n";
-        Random random = random_for(13, 2, 0);
+            "size 346 210\ncamera 1.5 3.6 9.6  .25 1.4 0  0 1 0  31\nbackground .9 .93 .96\n"
+            "directional .5 1 .7  1 .96 .9\ndirectional -.8 .3 .5  .2 .24 .3\nambient .12 .12 .12\n"
+            "diffuse .75 .77 .8\nplane 0 -.001 0  0 1 0\n";
         for (const Bounds& box : boxes) {
             // Neighbours in the list are neighbours in the tree: the colour says how far along the list.
             const Real turn =
                 2 * pi * static_cast<Real>(&box - boxes.data()) / static_cast<Real>(boxes.size());
-            const auto part = [&](Real phase) { return 0.5 + 0.34 * std::cos(turn + phase); };
+            const auto part = [&](Real phase) {
+                return 0.03 + 0.62 * std::pow(0.5 + 0.5 * std::cos(turn + phase), 1.5);
+            };
             scene +=
                 fmt::format("diffuse {:.3f} {:.3f} {:.3f}\nbox {} {} {} {} {} {}\n", part(0), part(-2.1),
                             part(-4.2), box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z);
@@ -137,26 +139,45 @@ const std::array<Sphere, 8> discs{{{{0.7, 0.8, 0}, 0.4},
 const Ray ray_at_discs{{-0.5, 1.3, 0}, {1, 0.06, 0}};
 
 /// What became of a node on the way of a ray.
-enum class Fate { Unseen, Missed, Entered, LeftOut };
+enum class Fate : std::uint8_t { Unseen, Missed, Entered, PassedOver };
 
-/// The walk of 13.2 by the course's children_met: the fate of each node.
+/// How a ray goes through a tree: as it should, without looking which child is nearer, or only up to the
+/// first leaf in which something is hit.
+enum class Walk { NearerFirst, AsTheyStand, UpToTheFirstHit };
+
+/// The way of a ray from the root, by the course's children_met.
 template <class Shape>
-std::vector<Fate> fates(const Hierarchy& tree, std::span<const Shape> shapes, const Ray& ray) {
-    std::vector<Fate> fate(tree.nodes.size(), Fate::Unseen);
-    Interval range;
-    const std::function<void(const NodeVisit&)> enter = [&](const NodeVisit& visit) {
-        fate[visit.node] = visit.t.min > range.max ? Fate::LeftOut : Fate::Entered;
-        if (fate[visit.node] == Fate::LeftOut) return;
+struct Way {
+    const Hierarchy& tree;
+    std::span<const Shape> shapes;
+    Ray ray;
+    Walk walk = Walk::NearerFirst;
+    Nearest nearest{{0, infinity}};
+    std::vector<Fate> fate = std::vector<Fate>(tree.nodes.size());
+
+    void enter(const NodeVisit& visit) {
+        const bool is_late =
+            visit.t.min > nearest.range.max || (walk == Walk::UpToTheFirstHit && nearest.hit);
+        fate[visit.node] = is_late ? Fate::PassedOver : Fate::Entered;
+        if (is_late) return;
         const HierarchyNode& node = tree.nodes[visit.node];
         for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
-            if (const auto hit = intersect(shapes[tree.items[k]], ray, range)) range.max = hit->t;
+            nearest.ask(shapes, tree.items[k], ray);
         if (node.count > 0) return;
-        const ChildVisits met = children_met(tree, visit.node, ray, {0, range.max});
+        ChildVisits met = children_met(tree, visit.node, ray, nearest.range);
         for (const std::uint32_t child : {node.first, node.first + 1}) fate[child] = Fate::Missed;
-        for (int i = 0; i < met.count; ++i) enter(met.visits[i]);
-    };
-    enter({0, range});
-    return fate;
+        if (walk == Walk::AsTheyStand && met.count == 2 && met.visits[0].node > met.visits[1].node)
+            std::swap(met.visits[0], met.visits[1]);
+        for (int i = 0; i < met.count; ++i) enter(met.visits[static_cast<std::size_t>(i)]);
+    }
+};
+
+template <class Shape>
+Way<Shape> way_of(const Hierarchy& tree, const std::vector<Shape>& shapes, const Ray& ray,
+                  Walk walk = Walk::NearerFirst) {
+    Way<Shape> way{tree, shapes, ray, walk};
+    if (const auto inside = clip(tree.nodes[0].box, ray, {0, infinity})) way.enter({0, *inside});
+    return way;
 }
 
 /// The places of the nodes in a drawing of the tree: leaves beside each other, others above their children.
@@ -175,8 +196,8 @@ void place_nodes(const Hierarchy& tree, std::uint32_t number, int depth, std::ve
 
 void draw_tree(const Path& directory) {
     const std::vector<Sphere> shapes(discs.begin(), discs.end());
-    const Hierarchy tree = built(boxes_of(shapes), halves);
-    const std::vector<Fate> fate = fates(tree, std::span<const Sphere>(shapes), ray_at_discs);
+    const Hierarchy tree = built(boxes_of(shapes), SplitMethod::Halves);
+    const std::vector<Fate> fate = way_of(tree, shapes, ray_at_discs).fate;
     std::vector<Vec2> places(tree.nodes.size());
     int leaves = 0;
     place_nodes(tree, 0, 0, places, leaves);
@@ -196,13 +217,17 @@ void draw_tree(const Path& directory) {
         const Vec2 corner = place(box.low.x, box.high.y) - out;
         rectangle(svg, corner, unit * Vec2(box.high.x - box.low.x, box.high.y - box.low.y) + 2 * out,
                   {.stroke = colors[depth], .width = depth == 3 ? 1 : 1.8});
-        if (tree.nodes[i].count > 0)
+        if (tree.nodes[i].count > 0) {
             text(svg, place(middle_of(box).x, middle_of(box).y) + Vec2(0, 5),
                  std::to_string(tree.items[tree.nodes[i].first]),
                  middle(SvgFont{.size = 16, .italic = true}));
-        else
-            text(svg, corner + Vec2(4, 16), std::to_string(i),
-                 {.size = 15, .color = colors[depth], .bold = true});
+            continue;
+        }
+        // Between the children where there is room.
+        const Bounds &a = tree.nodes[tree.nodes[i].first].box, &b = tree.nodes[tree.nodes[i].first + 1].box;
+        const Real gap = place((a.high.x + b.low.x) / 2, 0).x;
+        text(svg, {depth < 2 ? gap : corner.x + 10, corner.y + 17}, std::to_string(i),
+             middle(SvgFont{.size = 15, .color = colors[depth], .bold = true}));
     }
     const auto at = [&](Real t) { return place(point_at(ray_at_discs, t).x, point_at(ray_at_discs, t).y); };
     arrow(svg, at(0), at(8.9), {.stroke = green, .width = 1.8});
@@ -215,10 +240,10 @@ void draw_tree(const Path& directory) {
     int entered = 0;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const bool is_leaf = tree.nodes[i].count > 0;
-        const char* fill = fate[i] == Fate::Entered   ? "#9fd8c3"
-                           : fate[i] == Fate::Missed  ? "#f6d3bd"
-                           : fate[i] == Fate::LeftOut ? "#f7e7b4"
-                                                      : "#ffffff";
+        const char* fill = fate[i] == Fate::Entered      ? "#9fd8c3"
+                           : fate[i] == Fate::Missed     ? "#f6d3bd"
+                           : fate[i] == Fate::PassedOver ? "#f7e7b4"
+                                                         : "#ffffff";
         entered += fate[i] == Fate::Entered;
         circle(svg, spot(places[i]), 16,
                {.stroke = colors[static_cast<std::size_t>(places[i].y)], .width = 1.8, .fill = fill});
@@ -228,6 +253,7 @@ void draw_tree(const Path& directory) {
                  middle(SvgFont{.size = 16, .italic = true}));
     }
     note_number("nodes entered among the discs", entered);
+    note_number("nodes among the discs", tree.nodes.size());
     write_svg(directory / "tree.svg", svg);
 }
 
@@ -239,13 +265,13 @@ void draw_area(const Path& directory) {
     const std::vector<Ray> lines = lines_through(cube, 40'000, 3);
     Random random = random_for(13, 4, 0);
     Svg svg{.width = 700, .height = 400};
-    const Plot plot{{80, 40}, {480, 290}, {0, 1}, {0, 1}};
-    const Ticks ticks{{0, "0"}, {0.25, "0.25"}, {0.5, "0.5"}, {0.75, "0.75"}, {1, "1"}};
+    const Plot plot{{80, 40}, {560, 290}, {0, 0.5}, {0, 0.5}};
+    const Ticks ticks{{0, "0"}, {0.1, "0.1"}, {0.2, "0.2"}, {0.3, "0.3"}, {0.4, "0.4"}, {0.5, "0.5"}};
     draw_axes(svg, plot, ticks, ticks);
-    text(svg, plot.corner + Vec2(240, 332), "share of the cube's area, or of its volume",
+    text(svg, plot.corner + Vec2(280, 332), "share of the cube's area, or of its volume",
          middle(SvgFont{.size = 16}));
     text(svg, plot.corner + Vec2(0, -12), "share of the lines that meet the box", {.size = 16});
-    line(svg, plot.place(0, 0), plot.place(1, 1), {.stroke = grey, .width = 1.2, .dash = "5 4"});
+    line(svg, plot.place(0, 0), plot.place(0.5, 0.5), {.stroke = grey, .width = 1.2, .dash = "5 4"});
     std::string csv = "edges,share of the lines,share of the area,share of the volume\n";
     Real worst = 0;
     for (int i = 0; i < 40; ++i) {
@@ -266,8 +292,8 @@ void draw_area(const Path& directory) {
     }
     note_number("lines at the cube", lines.size());
     note_number("farthest from the share of the area", fmt::format("{:.4f}", worst));
-    text(svg, plot.place(0.62, 0.5), "area", colored(SvgFont{.size = 17, .bold = true}, blue));
-    text(svg, plot.place(0.1, 0.62), "volume", colored(SvgFont{.size = 17, .bold = true}, red));
+    text(svg, plot.place(0.36, 0.32), "area", colored(SvgFont{.size = 17, .bold = true}, blue));
+    text(svg, plot.place(0.06, 0.35), "volume", colored(SvgFont{.size = 17, .bold = true}, red));
     write_file(directory / "area.csv", csv);
     write_svg(directory / "area.svg", svg);
 }
@@ -378,9 +404,10 @@ void draw_stadium(const Path& directory) {
         if (is_drawn) nodes_images.push_back(nodes), shapes_images.push_back(shapes);
     };
     measure("grids in grids", build_grid(triangles), true);
-    measure("halves", built(boxes, halves), true);
-    measure("sweep", built(boxes, sweep), false);
-    measure("bins", built(boxes, bins), true);
+    measure("halves", built(boxes, SplitMethod::Halves), true);
+    measure("sweep", built(boxes, SplitMethod::Sweep), false);
+    measure("bins", built(boxes, SplitMethod::Bins), true);
+    measure("codes", built(boxes, SplitMethod::Codes), false);
     write_file(directory / "stadium.csv", csv);
     nodes_images.insert(nodes_images.end(), shapes_images.begin(), shapes_images.end());
     write_image(directory / "heat.png", in_rows(nodes_images, 3));
@@ -397,8 +424,9 @@ void draw_growth(const Path& directory) {
         "fineness,triangles,log2 of them,grid: cells,grid: triangles,halves: nodes,halves: "
         "triangles,bins: nodes,bins: triangles\n";
     std::string measured =
-        "triangles,ns a ray: brute force,grids in grids,halves,sweep,bins,build s: grids in "
-        "grids,halves,sweep,bins,rays that pay for bins\n";
+        "triangles,ns a ray: brute force,ns a ray: grids in grids,ns a ray: halves,ns a ray: bins,build ms: "
+        "grids "
+        "in grids,build ms: halves,build ms: bins,rays that pay for bins\n";
     std::vector<Vec2> brute, grid_curve, halves_curve, bins_curve;
     for (const int fineness : {2, 4, 7, 13, 22, 40, 70, 125}) {
         const std::vector<Triangle> triangles = teapot_of(fineness);
@@ -431,18 +459,18 @@ void draw_growth(const Path& directory) {
         build.push_back(seconds_of([&] { grid = build_grid(triangles); }));
         ns.push_back(ns_a_ray(grid));
         grid_curve.push_back(counts(build_grid(triangles, {.nested = false})));
-        for (const NamedSplit& way : splits) {
+        for (const auto& [method, curve] :
+             {std::pair{SplitMethod::Halves, &halves_curve}, {SplitMethod::Bins, &bins_curve}}) {
             Hierarchy tree;
-            build.push_back(seconds_of([&] { tree = built(boxes_of(triangles), way.split); }));
+            build.push_back(seconds_of([&] { tree = built(boxes_of(triangles), method); }));
             ns.push_back(ns_a_ray(tree));
-            if (way.name == std::string("halves")) halves_curve.push_back(counts(tree));
-            if (way.name == std::string("bins")) bins_curve.push_back(counts(tree));
+            curve->push_back(counts(tree));
         }
         csv += "\n";
         brute.push_back({n, n});
         measured += fmt::format("{},{:.3g}", triangles.size(), brute_ns);
         for (const double one : ns) measured += fmt::format(",{:.3g}", one);
-        for (const double one : build) measured += fmt::format(",{:.2g}", one);
+        for (const double one : build) measured += fmt::format(",{:.2g}", 1e3 * one);
         measured += fmt::format(",{:.2g}\n", 1e9 * build.back() / (brute_ns - ns.back()));
     }
     write_file(directory / "growth.csv", csv);
@@ -546,28 +574,27 @@ void draw_predictions(const Path& directory) {
     Real worst = 0;
     for (const auto& [name, triangles] : subjects()) {
         const std::vector<Bounds> boxes = boxes_of(triangles);
-        for (const NamedSplit& way : splits) {
-            const Hierarchy tree = built(boxes, way.split);
-            const std::vector<Ray> lines = lines_through(tree.nodes[0].box, 20'000, 7);
+        for (const NamedMethod& way : methods) {
+            const Hierarchy tree = built(boxes, way.method);
+            const std::vector<Ray> lines = lines_through(tree.nodes[0].box, 100'000, 7);
             const Real predicted = predicted_cost(tree), by_lines = paid(tree, triangles, lines, false),
                        by_rays = paid(tree, triangles, lines, true);
             csv += fmt::format("{} {},{},{:.1f},{:.1f},{:.1f}\n", name, way.name, triangles.size(), predicted,
                                by_lines, by_rays);
             worst = std::max(worst, std::abs(by_lines / predicted - 1));
-            const char* color = &way == &splits[0] ? red : &way == &splits[1] ? green : blue;
-            dot_at(svg, plot.place(predicted, by_lines), color, 5);
-            circle(svg, plot.place(predicted, by_rays), 4.5, {.stroke = color, .width = 2});
+            dot_at(svg, plot.place(predicted, by_lines), way.color, 5);
+            circle(svg, plot.place(predicted, by_rays), 4.5, {.stroke = way.color, .width = 2});
         }
     }
     note_number("lines farthest from their prediction (percent)", fmt::format("{:.2g}", 100 * worst));
     int row = 0;
-    for (const auto& [words, color] : {std::pair{"halves", red}, {"sweep", green}, {"bins", blue}}) {
+    for (const NamedMethod& way : methods) {
         const Vec2 p(585, 90 + 26 * row++);
-        dot_at(svg, p, color, 5);
-        text(svg, p + Vec2(12, 5), words, label);
+        dot_at(svg, p, way.color, 5);
+        text(svg, p + Vec2(12, 5), way.name, label);
     }
-    dot_at(svg, {585, 200}, grey, 5), text(svg, {597, 205}, "lines", label);
-    circle(svg, {585, 226}, 4.5, {.stroke = grey, .width = 2}), text(svg, {597, 231}, "rays", label);
+    dot_at(svg, {585, 226}, grey, 5), text(svg, {597, 231}, "lines", label);
+    circle(svg, {585, 252}, 4.5, {.stroke = grey, .width = 2}), text(svg, {597, 257}, "rays", label);
     write_file(directory / "predicted.csv", csv);
     write_svg(directory / "predicted.svg", svg);
 }
@@ -602,15 +629,16 @@ std::vector<Triangle> scattered(const std::vector<Triangle>& triangles, Real tim
     });
 }
 
-/// The triangles by the colours of their normals.
-Image picture_of(const std::vector<Triangle>& triangles, const Hierarchy& tree, const View& view) {
+/// The triangles by the colours of their normals, turned to the viewer; `nearest(ray)` finds them.
+template <class NearestOf>
+Image picture_of(const std::vector<Triangle>& triangles, const View& view, const NearestOf& nearest) {
     Image image = make_image(view.width, view.height);
-    Mailbox mailbox;
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {
-            const auto hit = closest_hit(tree, triangles, pixel_ray(view, x + 0.5, y + 0.5), {}, mailbox);
-            pixel(image, x, y) =
-                hit ? Real(0.5) * (unit_normal(triangles[hit->primitive]) + Real(1)) : Vec3(0.93);
+            const Ray ray = pixel_ray(view, x + 0.5, y + 0.5);
+            const std::optional<Hit> hit = nearest(ray);
+            const Vec3 n = hit ? unit_normal(triangles[hit->primitive]) : Vec3(0.86);
+            pixel(image, x, y) = Real(0.5) * ((hit && dot(n, ray.direction) > 0 ? -n : n) + Real(1));
         }
     return image;
 }
@@ -627,32 +655,38 @@ void draw_motion(const Path& directory) {
                 measured = "what,seconds\n";
     std::vector<Image> images;
     std::vector<std::vector<Vec2>> curves;
+    Mailbox mailbox;
     const std::array<std::pair<const char*, Motion>, 2> motions{{{"twist", twisted}, {"scatter", scattered}}};
     for (const auto& [name, motion] : motions) {
-        Hierarchy tree = built(boxes_of(teapot), bins);
+        Hierarchy tree = built(boxes_of(teapot), SplitMethod::Bins);
         curves.emplace_back();
         for (int frame = 0; frame <= frames; ++frame) {
             const std::vector<Triangle> now = motion(teapot, static_cast<Real>(frame) / frames);
-            refit(tree, boxes_of(now));
-            const Real old_cost = predicted_cost(tree), cost = predicted_cost(built(boxes_of(now), bins));
+            tree = refit(std::move(tree), boxes_of(now));
+            const Real old_cost = predicted_cost(tree),
+                       cost = predicted_cost(built(boxes_of(now), SplitMethod::Bins));
             csv += fmt::format("{} {},{:.1f},{:.1f},{:.2f}\n", name, frame, old_cost, cost, old_cost / cost);
             curves.back().push_back({frame, old_cost / cost});
-            if (frame == 2 || frame == 5 || frame == 20) images.push_back(picture_of(now, tree, view));
+            if (frame == 2 || frame == 5 || frame == 20)
+                images.push_back(picture_of(now, view, [&](const Ray& ray) {
+                    return closest_hit(tree, now, ray, {0, infinity}, mailbox);
+                }));
         }
     }
     const std::vector<Bounds> boxes = boxes_of(teapot_of(40));
     Hierarchy tree;
-    for (const NamedSplit& way : splits)
-        measured += fmt::format("{},{:.2g}\n", way.name, seconds_of([&] { tree = built(boxes, way.split); }));
-    measured += fmt::format("refit,{:.2g}\n", seconds_of([&] { refit(tree, boxes); }));
+    for (const NamedMethod& way : methods)
+        measured +=
+            fmt::format("{},{:.2g}\n", way.name, seconds_of([&] { tree = built(boxes, way.method); }));
+    measured += fmt::format("refit,{:.2g}\n", seconds_of([&] { tree = refit(std::move(tree), boxes); }));
     write_file(directory / "refit.csv", csv);
     write_file(directory / "measured_refit.csv", measured);
     write_image(directory / "motion.png", in_rows(images, 3));
 
     Svg svg{.width = 700, .height = 340};
-    const Plot plot{{80, 50}, {540, 230}, {0, 20}, {1, 100, true}};
+    const Plot plot{{80, 50}, {540, 230}, {0, 20}, {1, 16, true}};
     draw_axes(svg, plot, {{0, "0"}, {5, "5"}, {10, "10"}, {15, "15"}, {20, "20"}},
-              {{1, "1"}, {10, "10"}, {100, "100"}});
+              {{1, "1"}, {2, "2"}, {4, "4"}, {8, "8"}, {16, "16"}});
     text(svg, plot.corner + Vec2(270, 272), "frame", middle(SvgFont{.size = 16}));
     text(svg, plot.corner + Vec2(0, -12), "cost of the refitted tree, by that of a new one", {.size = 16});
     draw_curve(svg, plot, curves[0], blue);
@@ -662,9 +696,53 @@ void draw_motion(const Path& directory) {
     write_svg(directory / "refit.svg", svg);
 }
 
+// Mistakes ----------------------------------------------------------------------------------------------
+
+/// A teapot between a floor and a screen of large triangles.
+std::vector<Triangle> teapot_on_floor() {
+    std::vector<Triangle> triangles = teapot_of(12);
+    const auto quad = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+        triangles.push_back({a, b, c}), triangles.push_back({a, c, d});
+    };
+    quad({-7, 0, 5}, {7, 0, 5}, {7, 0, -5}, {-7, 0, -5});
+    quad({-6, 0, -2.4}, {6, 0, -4}, {6, 4.2, -5}, {-6, 4.2, -3.4});
+    return triangles;
+}
+
+/// The picture with a right search, and with one that ends at the first leaf in which something is hit.
+void draw_first_leaf(const Path& directory) {
+    const std::vector<Triangle> triangles = teapot_on_floor();
+    const Hierarchy tree = built(boxes_of(triangles), SplitMethod::Halves);
+    const View view = view_of("size 346 200\ncamera 2.5 5 10  0 1.5 0  0 1 0  32");
+    std::vector<Image> images;
+    for (const Walk walk : {Walk::NearerFirst, Walk::UpToTheFirstHit})
+        images.push_back(picture_of(
+            triangles, view, [&](const Ray& ray) { return way_of(tree, triangles, ray, walk).nearest.hit; }));
+    write_image(directory / "first_leaf.png", in_rows(images, 2));
+}
+
+/// What the order of the children is worth.
+void count_orders() {
+    const std::vector<Triangle> triangles = teapot_of(25);
+    const Hierarchy tree = built(boxes_of(triangles), SplitMethod::Halves);
+    const std::vector<Ray> rays = rays_around(4'000);
+    for (const auto& [walk, name] :
+         {std::pair{Walk::NearerFirst, "nearer first"}, {Walk::AsTheyStand, "as they stand"}}) {
+        std::ptrdiff_t entered = 0;
+        for (const Ray& ray : rays)
+            entered += std::ranges::count(way_of(tree, triangles, ray, walk).fate, Fate::Entered);
+        note_number(fmt::format("nodes a ray with children {}", name),
+                    fmt::format("{:.1f}", static_cast<Real>(entered) / static_cast<Real>(rays.size())));
+    }
+}
+
 void draw(const Path& directory) {
+    note_number("deepest leaf", deepest_leaf);
+    note_number("bytes a node", sizeof(HierarchyNode));
     draw_levels(directory);
     draw_tree(directory);
+    draw_first_leaf(directory);
+    count_orders();
     draw_area(directory);
     draw_cut(directory);
     draw_heat_scale(directory);
