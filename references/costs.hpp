@@ -1,11 +1,11 @@
 // What searches cost, as curves and as colours: what the figures about accelerators share.
 #pragma once
 
-#include "common/math/stopwatch.hpp"
 #include "common/world/search.hpp"
 #include "references/figures.hpp"
 
 #include <array>
+#include <ctime>
 #include <functional>
 
 namespace rt::figures {
@@ -85,10 +85,11 @@ inline void draw_heat_scale(const Path& directory) {
 
 // What there is to count ------------------------------------------------------------------------------------
 
-/// The triangles that the world keeps in one array.
-inline std::vector<Triangle> triangles_of(const World& world) {
+/// The shapes of one kind in the world, without those of its meshes.
+template <class Shape>
+std::vector<Shape> shapes_of(const World& world) {
     for (const AnyGroup& group : world.groups)
-        if (const auto* triangles = std::get_if<Group<Triangle>>(&group)) return triangles->shapes;
+        if (const auto* found = std::get_if<Group<Shape>>(&group)) return found->shapes;
     return {};
 }
 
@@ -102,13 +103,14 @@ SearchCounts cost(const OneAccelerator& accelerator, const std::vector<Shape>& s
     return {after.cells - before.cells, after.shapes - before.shapes};
 }
 
-/// The least of three times: other programs can only make it longer.
+/// Seconds of the processor that the work takes, the least of three times: other programs can only make it
+/// longer.
 inline double seconds_of(const std::function<void()>& work) {
     double least = infinity;
     for (int i = 0; i < 3; ++i) {
-        const Stopwatch watch;
+        const std::clock_t start = std::clock();
         work();
-        least = std::min(least, watch.seconds());
+        least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     }
     return least;
 }

@@ -331,7 +331,7 @@ Image cut(const Grid& grid) {
 void draw_stadium(const Path& directory) {
     const int width = 256, height = 192;
     const World world = compile(scene_beside(__FILE__, "stadium", width, height));
-    const std::vector<Triangle> triangles = triangles_of(world);
+    const std::vector<Triangle> triangles = shapes_of<Triangle>(world);
     std::string csv =
         "accelerator,grids,cells,entries,longest list,bytes a triangle,triangles asked a ray,most asked,"
         "cells entered a ray,most entered\n";
@@ -654,7 +654,7 @@ void draw_hierarchies(const Path& directory) {
     std::vector<Ray> camera;
     for (int y = 0; y < 192; ++y)
         for (int x = 0; x < 256; ++x) camera.push_back(pixel_ray(stadium.view, x + 0.5, y + 0.5));
-    measure("stadium", triangles_of(stadium), camera);
+    measure("stadium", shapes_of<Triangle>(stadium), camera);
     write_file(directory / "hierarchies.csv", csv);
 
     Svg svg{.width = 700, .height = 380};

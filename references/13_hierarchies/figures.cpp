@@ -4,6 +4,7 @@
 #include "chapters/02_spheres/sphere.hpp"
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/09_grids/walk.hpp"
+#include "chapters/10_surfaces/box.hpp"
 #include "chapters/13_hierarchies/build.hpp"
 #include "chapters/13_hierarchies/walk.hpp"
 #include "common/math/random.hpp"
@@ -226,7 +227,7 @@ void draw_tree(const Path& directory) {
         // Between the children where there is room.
         const Bounds &a = tree.nodes[tree.nodes[i].first].box, &b = tree.nodes[tree.nodes[i].first + 1].box;
         const Real gap = place((a.high.x + b.low.x) / 2, 0).x;
-        text(svg, {depth < 2 ? gap : corner.x + 10, corner.y + 17}, std::to_string(i),
+        text(svg, {depth < 2 ? gap - 6 : corner.x + 12, corner.y + 17}, std::to_string(i),
              middle(SvgFont{.size = 15, .color = colors[depth], .bold = true}));
     }
     const auto at = [&](Real t) { return place(point_at(ray_at_discs, t).x, point_at(ray_at_discs, t).y); };
@@ -369,6 +370,12 @@ Scene scene_of_grids(const std::string& name, int width, int height) {
                         height);
 }
 
+/// The world without accelerators of its own.
+World world_of(Scene scene) {
+    scene.accelerator = AcceleratorChoice::None;
+    return compile(scene);
+}
+
 std::vector<Ray> camera_rays(const World& world) {
     std::vector<Ray> rays;
     for (int y = 0; y < world.view.height; ++y)
@@ -379,8 +386,8 @@ std::vector<Ray> camera_rays(const World& world) {
 /// Pictures of the nodes or cells that each pixel's ray comes to, and of the shapes that it asks.
 void draw_stadium(const Path& directory) {
     const int width = 228, height = 171;
-    const World world = compile(scene_of_grids("stadium", width, height));
-    const std::vector<Triangle> triangles = triangles_of(world);
+    const World world = world_of(scene_of_grids("stadium", width, height));
+    const std::vector<Triangle> triangles = shapes_of<Triangle>(world);
     const std::vector<Bounds> boxes = boxes_of(triangles);
     const std::vector<Ray> rays = camera_rays(world);
     std::string csv =
@@ -523,69 +530,32 @@ Real paid(const Hierarchy& tree, const std::vector<Shape>& shapes, const std::ve
            static_cast<Real>(rays.size());
 }
 
-struct Subject {
-    std::string name;
-    std::vector<Triangle> triangles;
-};
-
-/// Boxes of a town: 400 blocks of different heights on a square, as triangles.
-std::vector<Triangle> town() {
-    std::vector<Triangle> triangles;
-    Random random = random_for(13, 5, 0);
-    const auto quad = [&](const Vec3& a, const Vec3& e, const Vec3& f) {
-        triangles.push_back({a, a + e, a + e + f});
-        triangles.push_back({a, a + e + f, a + f});
-    };
-    for (int i = 0; i < 20; ++i)
-        for (int j = 0; j < 20; ++j) {
-            const Vec3 a(i + 0.15, 0, j + 0.15), x(0.7, 0, 0), z(0, 0, 0.7);
-            const Vec3 y(0, 0.3 + 4 * std::pow(random_real(random), 4), 0);
-            quad(a + y, x, z), quad(a, x, y), quad(a, z, y), quad(a + x, z, y), quad(a + z, x, y);
-        }
-    quad({-5, 0, -5}, {30, 0, 0}, {0, 0, 30});
-    return triangles;
-}
-
-/// Long thin triangles, anywhere and in any direction.
-std::vector<Triangle> needles() {
-    std::vector<Triangle> triangles;
-    Random random = random_for(13, 6, 0);
-    for (int i = 0; i < 4000; ++i) {
-        const Vec3 from = random_in({Vec3(-1), Vec3(1)}, random), along = random_direction(random);
-        triangles.push_back({from, from + along, from + along + Real(0.01) * any_across(along)});
-    }
-    return triangles;
-}
-
-std::vector<Subject> subjects() {
-    return {{"teapot", teapot_of(25)},
-            {"stadium", triangles_of(compile(scene_of_grids("stadium", 64, 48)))},
-            {"cloud", triangles_of(compile(scene_of_grids("cloud", 64, 48)))},
-            {"town", town()},
-            {"needles", needles()}};
-}
-
 void draw_predictions(const Path& directory) {
-    std::string csv = "scene and split,triangles,predicted,lines pay,rays pay\n";
+    std::string csv = "scene and method,shapes,predicted,lines pay,rays pay\n";
     Svg svg{.width = 700, .height = 430};
-    const Plot plot{{80, 50}, {480, 310}, {10, 1000, true}, {3, 1000, true}};
+    const Plot plot{{80, 50}, {480, 310}, {9, 200, true}, {6, 200, true}};
     draw_axes(svg, plot, "predicted cost of a line", "what lines and rays pay");
-    line(svg, plot.place(10, 10), plot.place(1000, 1000), {.stroke = grey, .width = 1.2, .dash = "5 4"});
+    line(svg, plot.place(9, 9), plot.place(200, 200), {.stroke = grey, .width = 1.2, .dash = "5 4"});
     Real worst = 0;
-    for (const auto& [name, triangles] : subjects()) {
-        const std::vector<Bounds> boxes = boxes_of(triangles);
+    const auto measure = [&](const std::string& name, const auto& shapes) {
+        const std::vector<Bounds> boxes = boxes_of(shapes);
         for (const NamedMethod& way : methods) {
             const Hierarchy tree = built(boxes, way.method);
-            const std::vector<Ray> lines = lines_through(tree.nodes[0].box, 100'000, 7);
-            const Real predicted = predicted_cost(tree), by_lines = paid(tree, triangles, lines, false),
-                       by_rays = paid(tree, triangles, lines, true);
-            csv += fmt::format("{} {},{},{:.1f},{:.1f},{:.1f}\n", name, way.name, triangles.size(), predicted,
+            const std::vector<Ray> lines = lines_through(tree.nodes[0].box, 30'000, 7);
+            const Real predicted = predicted_cost(tree), by_lines = paid(tree, shapes, lines, false),
+                       by_rays = paid(tree, shapes, lines, true);
+            csv += fmt::format("{} {},{},{:.1f},{:.1f},{:.1f}\n", name, way.name, shapes.size(), predicted,
                                by_lines, by_rays);
             worst = std::max(worst, std::abs(by_lines / predicted - 1));
             dot_at(svg, plot.place(predicted, by_lines), way.color, 5);
             circle(svg, plot.place(predicted, by_rays), 4.5, {.stroke = way.color, .width = 2});
         }
-    }
+    };
+    measure("teapot", teapot_of(25));
+    measure("stadium", shapes_of<Triangle>(world_of(scene_of_grids("stadium", 64, 48))));
+    measure("cloud", shapes_of<Triangle>(world_of(scene_of_grids("cloud", 64, 48))));
+    measure("needles", shapes_of<Triangle>(world_of(scene_beside(__FILE__, "needles"))));
+    measure("city", shapes_of<Box>(world_of(scene_beside(__FILE__, "city"))));
     note_number("lines farthest from their prediction (percent)", fmt::format("{:.2g}", 100 * worst));
     int row = 0;
     for (const NamedMethod& way : methods) {
@@ -647,6 +617,23 @@ View view_of(const std::string& words) {
     return compile(parse_scene_text(words + "\nsphere 0 0 0 1\n", "figure")).view;
 }
 
+/// What trees cost when the teapot has been twisted and turned back: one that is refitted, and one whose
+/// boxes only grow.
+void note_twist_and_back(const std::vector<Triangle>& teapot) {
+    const Hierarchy tree = built(boxes_of(teapot), SplitMethod::Bins);
+    Hierarchy swollen = tree;
+    for (int frame = 0; frame <= 20; ++frame) {
+        const Real time = 1 - std::abs(static_cast<Real>(frame) / 10 - 1);
+        const Hierarchy now = refit(tree, boxes_of(twisted(teapot, time)));
+        for (std::size_t i = 0; i < now.nodes.size(); ++i)
+            swollen.nodes[i].box = merge(swollen.nodes[i].box, now.nodes[i].box);
+    }
+    // The root has grown as well: what is expected of a ray that meets what is there.
+    const Real grown = half_area(swollen.nodes[0].box) / half_area(tree.nodes[0].box);
+    note_number("cost when all is as it was", fmt::format("{:.1f}", predicted_cost(tree)));
+    note_number("cost when boxes have only grown", fmt::format("{:.0f}", predicted_cost(swollen) * grown));
+}
+
 void draw_motion(const Path& directory) {
     const std::vector<Triangle> teapot = teapot_of(13);
     const View view = view_of("size 228 160\ncamera 2 4.5 10  .1 1.5 0  0 1 0  34");
@@ -673,6 +660,7 @@ void draw_motion(const Path& directory) {
                 }));
         }
     }
+    note_twist_and_back(teapot);
     const std::vector<Bounds> boxes = boxes_of(teapot_of(40));
     Hierarchy tree;
     for (const NamedMethod& way : methods)
@@ -736,6 +724,34 @@ void count_orders() {
     }
 }
 
+// A curve -----------------------------------------------------------------------------------------------
+
+/// The cells of a square in the order of their codes, and where the first bits cut them.
+void draw_curve_of_codes(const Path& directory) {
+    const Bounds box{Vec3(0), Vec3(8)};
+    std::vector<std::pair<std::uint64_t, Vec2>> cells;
+    for (int x = 0; x < 8; ++x)
+        for (int y = 0; y < 8; ++y) {
+            const Vec2 middle(x + 0.5, y + 0.5);
+            cells.emplace_back(morton_code(box, Vec3(middle, 0)), middle);
+        }
+    std::ranges::sort(cells, {}, [](const auto& cell) { return cell.first; });
+    Svg svg{.width = 420, .height = 390};
+    const auto place = [](const Vec2& p) { return Vec2(30 + 44 * p.x, 370 - 44 * p.y); };
+    rectangle(svg, place({0, 8}), {352, 352}, {.stroke = ink, .width = 1.5});
+    line(svg, place({0, 4}), place({8, 4}), {.stroke = red, .width = 2.5});
+    for (const Real y : {0.0, 4.0})
+        line(svg, place({4, y}), place({4, y + 4}), {.stroke = blue, .width = 1.8, .dash = "7 4"});
+    std::vector<Vec2> curve;
+    for (std::size_t i = 0; i < cells.size(); ++i) curve.push_back(place(cells[i].second));
+    polyline(svg, curve, {.stroke = green, .width = 1.6});
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        dot_at(svg, curve[i], green, 3);
+        text(svg, curve[i] + Vec2(4, -5), std::to_string(i), {.size = 13});
+    }
+    write_svg(directory / "curve.svg", svg);
+}
+
 void draw(const Path& directory) {
     note_number("deepest leaf", deepest_leaf);
     note_number("bytes a node", sizeof(HierarchyNode));
@@ -750,7 +766,9 @@ void draw(const Path& directory) {
     draw_growth(directory);
     draw_predictions(directory);
     draw_motion(directory);
+    draw_curve_of_codes(directory);
     write_file(directory / "numbers.csv", numbers);
+    draw_scenes(directory, __FILE__, {"city", "forest", "needles", "swarm"}, 240, 180);
 }
 
 }  // namespace
