@@ -13,6 +13,13 @@ using namespace rt::test;
 
 namespace {
 
+template <class Shape>
+std::vector<Bounds> boxes_of(const std::vector<Shape>& shapes) {
+    std::vector<Bounds> boxes;
+    for (const Shape& shape : shapes) boxes.push_back(bounds_of(shape));
+    return boxes;
+}
+
 /// A ball of small triangles on a large floor.
 std::vector<Triangle> ball_in_stadium() {
     const int n = 24;
@@ -42,6 +49,8 @@ std::vector<Ray> rays_at_ball(int count) {
 /// Shapes asked by the rays on their way to their nearest hits; and checks that these are right.
 std::uint64_t asked_on_the_way(const Hierarchy& tree, const std::vector<Triangle>& triangles,
                                const std::vector<Ray>& rays) {
+    INFO("before any ray is traced: what the contract says of nodes, boxes and shapes");
+    REQUIRE(is_right(tree, boxes_of(triangles)));
     Mailbox mailbox;
     std::uint64_t asked = 0, wrong = 0;
     for (const Ray& ray : rays) {
@@ -55,6 +64,10 @@ std::uint64_t asked_on_the_way(const Hierarchy& tree, const std::vector<Triangle
 }
 
 void check_row(const Hierarchy& tree, const std::vector<Sphere>& spheres) {
+    {
+        INFO("before any ray is traced: what the contract says of nodes, boxes and shapes");
+        REQUIRE(is_right(tree, boxes_of(spheres)));
+    }
     Mailbox mailbox;
     const auto check = [&](const Ray& ray, std::optional<Hit> expected) {
         INFO("spheres of radius 0.4 at 0, 1, ... 99 on the x axis; " << ray << ": what is hit");
@@ -88,6 +101,7 @@ TEST_CASE("the nearest of a row of spheres, by halves", "[13.4]") {
 TEST_CASE("a ray across a row of spheres asks few of them", "[13.4]") {
     const std::vector<Sphere> spheres = row_of_spheres();
     const Hierarchy tree = build_hierarchy(spheres, {.method = SplitMethod::Halves, .most = 1});
+    REQUIRE(is_right(tree, boxes_of(spheres), 1));
     Mailbox mailbox;
     const SearchCounts counts = counted([&] {
         closest_hit(tree, spheres, {{70, -3, 0}, {0, 1, 0}}, ahead, mailbox);
@@ -130,20 +144,12 @@ TEST_CASE("a ball in a stadium, by bins: no more questions than by halves", "[13
 
 TEST_CASE("what a tree that was fitted to moved shapes finds", "[13.11]") {
     std::vector<Sphere> spheres = row_of_spheres();
-    Hierarchy tree = plain_tree([&] {
-        std::vector<Bounds> boxes;
-        for (const Sphere& sphere : spheres) boxes.push_back(bounds_of(sphere));
-        return boxes;
-    }());
+    Hierarchy tree = plain_tree(boxes_of(spheres));
     Random random(1331);
     Mailbox mailbox;
     for (int frame = 0; frame < 3; ++frame) {
-        std::vector<Bounds> boxes;
-        for (Sphere& sphere : spheres) {
-            sphere.center += Real(5) * random.in_cube();
-            boxes.push_back(bounds_of(sphere));
-        }
-        tree = refit(tree, boxes);
+        for (Sphere& sphere : spheres) sphere.center += Real(5) * random.in_cube();
+        tree = refit(tree, boxes_of(spheres));
         for (int k = 0; k < cases(100); ++k) {
             const Ray ray = towards(random, spheres[random.index(100)].center + random.in_cube(), 30);
             INFO("100 spheres that have moved "
