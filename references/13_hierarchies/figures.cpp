@@ -383,6 +383,15 @@ std::vector<Ray> camera_rays(const World& world) {
     return rays;
 }
 
+/// How deep the deepest node is whose box has at least half of the root's area.
+int deepest_large_box(const Hierarchy& tree, std::uint32_t number = 0, int depth = 0) {
+    const HierarchyNode& node = tree.nodes[number];
+    if (half_area(node.box) < half_area(tree.nodes[0].box) / 2) return depth - 1;
+    if (node.count > 0) return depth;
+    return std::max(deepest_large_box(tree, node.first, depth + 1),
+                    deepest_large_box(tree, node.first + 1, depth + 1));
+}
+
 /// Pictures of the nodes or cells that each pixel's ray comes to, and of the shapes that it asks.
 void draw_stadium(const Path& directory) {
     const int width = 228, height = 171;
@@ -415,6 +424,9 @@ void draw_stadium(const Path& directory) {
     measure("sweep", built(boxes, SplitMethod::Sweep), false);
     measure("bins", built(boxes, SplitMethod::Bins), true);
     measure("codes", built(boxes, SplitMethod::Codes), false);
+    for (const NamedMethod& way : methods)
+        note_number(fmt::format("depth of the deepest large box by {}", way.name),
+                    deepest_large_box(built(boxes, way.method)));
     write_file(directory / "stadium.csv", csv);
     nodes_images.insert(nodes_images.end(), shapes_images.begin(), shapes_images.end());
     write_image(directory / "heat.png", in_rows(nodes_images, 3));
@@ -628,10 +640,8 @@ void note_twist_and_back(const std::vector<Triangle>& teapot) {
         for (std::size_t i = 0; i < now.nodes.size(); ++i)
             swollen.nodes[i].box = merge(swollen.nodes[i].box, now.nodes[i].box);
     }
-    // The root has grown as well: what is expected of a ray that meets what is there.
-    const Real grown = half_area(swollen.nodes[0].box) / half_area(tree.nodes[0].box);
     note_number("cost when all is as it was", fmt::format("{:.1f}", predicted_cost(tree)));
-    note_number("cost when boxes have only grown", fmt::format("{:.0f}", predicted_cost(swollen) * grown));
+    note_number("cost when boxes have only grown", fmt::format("{:.1f}", predicted_cost(swollen)));
 }
 
 void draw_motion(const Path& directory) {
