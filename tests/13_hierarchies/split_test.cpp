@@ -520,8 +520,13 @@ TEST_CASE("there are cuts only between the sixteen bins", "[13.10]") {
             "160, by a sweep");
         check_parts(by_sweep(), crowd, small);
     }
-    INFO("the same by bins, of which 0 and 8 are in one");
-    check_parts(by_bins(), crowd, together);
+    {
+        INFO("the same by bins, of which 0 and 8 are in one");
+        check_parts(by_bins(), crowd, together);
+    }
+    crowd[20] = cube_around({12, 0, 0}, 60);
+    INFO("the same with number 20 around 12, in the next bin");
+    check_parts(by_bins(), crowd, small);
 }
 
 TEST_CASE("bins look at the items only", "[13.10]") {

@@ -1,5 +1,5 @@
-// What is found by hierarchies that the chapter's own code builds: the same as by asking all, with few
-// questions.
+// Whole hierarchies that the chapter's own code builds, and what is found by them: the same as by asking all,
+// with few questions.
 #include "chapters/02_spheres/sphere.hpp"
 #include "chapters/03_triangles/triangle.hpp"
 #include "tests/13_hierarchies/trees.hpp"
@@ -91,6 +91,9 @@ std::vector<Sphere> row_of_spheres() {
     return spheres;
 }
 
+/// Names of methods, in the order of SplitMethod.
+constexpr const char* method_names[] = {"halves", "sweep", "bins", "codes"};
+
 }  // namespace
 
 TEST_CASE("the nearest of a row of spheres, by halves", "[13.4]") {
@@ -119,6 +122,34 @@ TEST_CASE("a ball in a stadium, by halves", "[13.4]") {
     INFO("2306 triangles and " << rays.size() << " rays: how many triangles a ray asks on average");
     const std::uint64_t asked = asked_on_the_way(tree, triangles, rays);
     CHECK(static_cast<Real>(asked) / static_cast<Real>(rays.size()) < 60);
+}
+
+TEST_CASE("a tree by bins parts the teapot from the stadium", "[13.10]") {
+    // Sixteen small cubes in a corner and two walls far away.
+    std::vector<Bounds> boxes{{{-100, 0, 0}, {-99, 50, 50}}, {{99, 0, 0}, {100, 50, 50}}};
+    for (int k = 0; k < 16; ++k)
+        boxes.push_back({{k % 4 * 2, k / 4 * 2, 0}, {k % 4 * 2 + 1, k / 4 * 2 + 1, 1}});
+    const Hierarchy tree = build_hierarchy(boxes);
+    INFO("walls at x = -100 and 100, and between them 16 cubes: what the contract says of the tree");
+    CHECK(is_right(tree, boxes));
+    INFO("how deep the tree is, by bins: each wall is parted from the cubes, and these are parted further");
+    CHECK(depth_of(tree) >= 3);
+    const Real by_halves = predicted_cost(build_hierarchy(boxes, {.method = SplitMethod::Halves, .most = 1}));
+    INFO("the predicted cost by bins, which is less than by halves, " << by_halves);
+    CHECK(predicted_cost(tree) < by_halves);
+}
+
+TEST_CASE("every method makes a right tree of random boxes", "[13.10]") {
+    Random random(1310);
+    for (const SplitMethod method : {SplitMethod::Halves, SplitMethod::Sweep, SplitMethod::Bins})
+        for (const std::size_t most : {1u, 8u}) {
+            const std::vector<Bounds> boxes = random_boxes(random, 200);
+            const Hierarchy tree = build_hierarchy(boxes, {.method = method, .most = most});
+            INFO("200 random boxes by " << method_names[static_cast<std::size_t>(method)] << ", at most "
+                                        << most
+                                        << " in a leaf: what the contract says of nodes, boxes and shapes");
+            CHECK(is_right(tree, boxes, most));
+        }
 }
 
 TEST_CASE("the nearest of a row of spheres, by bins", "[13.10]") {
