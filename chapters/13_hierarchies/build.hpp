@@ -12,23 +12,27 @@
 
 namespace rt {
 
+/// How the shapes of a node are parted: by 13.3, 13.8, 13.10, or by the codes of 13.12.
+enum class SplitMethod { Halves, Sweep, Bins, Codes };
+
 /// What a hierarchy is to be made like.
 struct HierarchyOptions {
-    Split split{};          ///< how the shapes of a node are parted; empty for split_by_bins
-    std::size_t most = 16;  ///< shapes that `split` may keep together; more are parted in halves
-    Real distortion = 1;    ///< the greatest of the shapes' transforms: the margin is multiplied by it
+    SplitMethod method = SplitMethod::Bins;
+    std::size_t most =
+        16;              ///< shapes in a leaf; more are parted in halves where the method keeps them together
+    SplitCosts costs{};  ///< for the methods that look at costs
+    Real distortion = 1;  ///< the greatest of the shapes' transforms: the margin is multiplied by it
 };
 
 /// The hierarchy over shapes with these boxes. Given, but for 13.4.
 ///
 /// The margin and the reach are a grid's (`allowance_for`, chapter 9). Shapes without a point, whose boxes
-/// are empty, are in no leaf. Where 64 splits have led to a node its shapes are parted in halves, so that no
-/// leaf is deeper than deepest_leaf. Boxes multiplied by a power of two get the same tree.
+/// are empty, are in no leaf. Halves and codes part all nodes with more than `most` shapes, and no others.
+/// Below 64 splits all methods part in halves, so that no leaf is deeper than deepest_leaf. Boxes multiplied
+/// by a power of two get the same tree.
 ///
-/// [13.4] A node's box is the one around the boxes of its shapes, grown by the margin. One shape is a leaf.
-/// Of more, the split says how many go to the first child, and where it says 0 the node is a leaf if it has
-/// no more than `most`; else they are parted in halves. Two children have numbers next to each other, greater
-/// than their parent's.
+/// [13.4] A node's box is the one around the boxes of its shapes, grown by the margin. If they stay together
+/// it is a leaf. Else it has two children, with numbers next to each other and greater than its own.
 Hierarchy build_hierarchy(std::span<const Bounds> boxes, const HierarchyOptions& options = {});
 
 /// The hierarchy over these shapes; `options.distortion` is worked out. Given.
@@ -51,11 +55,11 @@ Hierarchy build_hierarchy(const std::vector<Shape>& shapes, const HierarchyOptio
     return build_hierarchy(std::span<const Shape>(shapes), options);
 }
 
-/// [13.11] Gives the nodes the boxes that they need now that the shapes have moved: `boxes` are the new ones,
-/// in the same order, and shapes that were without a point still are. The margin and the reach become those
-/// of the new boxes; that is given. The tree stays as it is: it finds what is right, but a new one might be
-/// cheaper.
-void refit(Hierarchy& hierarchy, std::span<const Bounds> boxes, Real distortion = 1);
+/// [13.11] The hierarchy with the boxes that its nodes need now that the shapes have moved: `boxes` are the
+/// new ones, in the same order, and shapes that were without a point still are. The margin and the reach
+/// become those of the new boxes; that is given. The tree stays as it is: it finds what is right, but a new
+/// one might be cheaper.
+Hierarchy refit(Hierarchy hierarchy, std::span<const Bounds> boxes, Real distortion = 1);
 
 // ------------------------------------------------------------------------------------------ extra credit
 
@@ -65,9 +69,8 @@ void refit(Hierarchy& hierarchy, std::span<const Bounds> boxes, Real distortion 
 /// extent. Bit k of the number along x becomes bit 3k of the code, along y 3k + 1, along z 3k + 2.
 std::uint64_t morton_code(const Bounds& box, const Vec3& point);
 
-/// A split for build_hierarchy over these boxes, which sorts the shapes along that curve once, and then parts
-/// them where the highest bit changes that is not the same in all codes (Lauterbach et al. 2009). Shapes with
-/// equal codes stay together. Given.
-Split split_by_codes(std::span<const Bounds> boxes);
+/// Parts the shapes where the highest bit changes that is not the same in all their codes (Lauterbach et al.
+/// 2009); codes[i] is that of shape number i. 0 where all codes are equal. Given.
+std::size_t split_by_codes(std::span<const std::uint64_t> codes, std::span<std::uint32_t> items);
 
 }  // namespace rt

@@ -5,16 +5,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 namespace rt {
 
-/// Parts the shapes of a node. `items` are at least two places in `boxes`, none of whose boxes is empty; they
-/// are put into another order, and those of the first child come first. Returns how many these are, or 0
-/// where all had better stay together in a leaf.
-using Split = std::function<std::size_t(std::span<const Bounds> boxes, std::span<std::uint32_t> items)>;
+// All that part the shapes of a node get the boxes of all shapes, and as `items` the numbers of at least two
+// whose boxes are not empty. They put the items into another order, those of the first child first, and
+// return how many these are; 0 where all had better stay together in a leaf.
 
 /// The middle of a box, which stands for it where boxes are put in order. Given.
 inline Vec3 middle_of(const Bounds& box) { return box.low * Real(0.5) + box.high * Real(0.5); }

@@ -190,6 +190,8 @@ struct AcceleratorBuilder {
                 return build_over(boxed, options);
             case AcceleratorChoice::Nested:
                 return build_over(boxed, options);
+            case AcceleratorChoice::Bvh:
+                return build_hierarchy(boxed.bounds, {.distortion = boxed.distortion});
         }
         return {};
     }

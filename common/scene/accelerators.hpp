@@ -6,7 +6,7 @@
 namespace rt {
 
 /// What a scene asks for.
-enum class AcceleratorChoice { Auto, None, Grid, Nested };
+enum class AcceleratorChoice { Auto, None, Grid, Nested, Bvh };
 
 /// A word of the language, what it asks for, and how the reference describes that.
 struct AcceleratorWord {
@@ -24,6 +24,7 @@ inline constexpr AcceleratorWord accelerator_words[] = {
     {"none", AcceleratorChoice::None, "nothing", ""},
     {"grid", AcceleratorChoice::Grid, "one uniform grid over each kind of shape and each shared mesh", "09"},
     {"nested", AcceleratorChoice::Nested, "the same, and crowded cells have grids of their own", "09"},
+    {"bvh", AcceleratorChoice::Bvh, "a hierarchy of boxes over each of them", "13"},
 };
 
 }  // namespace rt

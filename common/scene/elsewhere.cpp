@@ -157,10 +157,10 @@ struct Later {
 };
 
 constexpr Later later[] = {
-    {"accelerator bvh", "13"},        {"accelerator obb", "13"},    {"accelerator spheres", "13"},
-    {"accelerator ellipsoids", "13"}, {"accelerator octree", "13"}, {"accelerator kdtree", "13"},
-    {"accelerator bsp", "13"},        {"accelerator binary", "13"}, {"integrator pathtracer", "14"},
-    {"nexteventestimation", "14"},    {"importancesampling", "14"}, {"russianroulette", "14"},
+    {"accelerator obb", "13"},    {"accelerator spheres", "13"},   {"accelerator ellipsoids", "13"},
+    {"accelerator octree", "13"}, {"accelerator kdtree", "13"},    {"accelerator bsp", "13"},
+    {"accelerator binary", "13"}, {"integrator pathtracer", "14"}, {"nexteventestimation", "14"},
+    {"importancesampling", "14"}, {"russianroulette", "14"},
 };
 
 /// A word that means something, and why it is not to be had here.
