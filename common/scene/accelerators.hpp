@@ -6,7 +6,7 @@
 namespace rt {
 
 /// What a scene asks for.
-enum class AcceleratorChoice { Auto, None, Grid, Nested, Bvh };
+enum class AcceleratorChoice { Auto, None, Grid, Nested, Bvh, Spheres, OrientedBoxes, Ellipsoids };
 
 /// A word of the language, what it asks for, and how the reference describes that.
 struct AcceleratorWord {
@@ -25,6 +25,9 @@ inline constexpr AcceleratorWord accelerator_words[] = {
     {"grid", AcceleratorChoice::Grid, "one uniform grid over each kind of shape and each shared mesh", "09"},
     {"nested", AcceleratorChoice::Nested, "the same, and crowded cells have grids of their own", "09"},
     {"bvh", AcceleratorChoice::Bvh, "a hierarchy of boxes over each of them", "13"},
+    {"spheres", AcceleratorChoice::Spheres, "the same hierarchy with spheres for boxes", "13"},
+    {"obb", AcceleratorChoice::OrientedBoxes, "the same with boxes that have axes of their own", "13"},
+    {"ellipsoids", AcceleratorChoice::Ellipsoids, "the same with ellipsoids", "13"},
 };
 
 }  // namespace rt
