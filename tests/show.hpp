@@ -14,6 +14,8 @@
 #include "chapters/10_surfaces/implicit.hpp"
 #include "chapters/10_surfaces/torus.hpp"
 #include "common/world/bounding_volumes.hpp"
+#include "chapters/13_hierarchies/split.hpp"
+#include "chapters/13_hierarchies/walk.hpp"
 #include "common/world/world.hpp"
 
 #include <charconv>
@@ -271,7 +273,7 @@ inline std::string show(const Branch& branch) {
            show(branch.weight) + ", depth " + show(branch.depth);
 }
 
-// Samples and grids.
+// Samples, grids and hierarchies.
 
 template <std::same_as<PixelSample> Sample>
 std::string show(const Sample& sample) {
@@ -298,6 +300,23 @@ inline std::string show(const GridShape& shape) {
 
 inline std::string show(const CellVisit& visit) {
     return "cell " + show(visit.cell) + " in " + show(visit.t);
+}
+
+inline std::string show(const NodeVisit& visit) {
+    return "node " + show(visit.node) + " in " + show(visit.t);
+}
+
+inline std::string show(const ChildVisits& met) {
+    if (met.count <= 0) return "no child";
+    return show(met.visits[0]) + (met.count > 1 ? ", then " + show(met.visits[1]) : "");
+}
+
+inline std::string show(const Bin& bin) {
+    return bin.count == 0 ? "nothing" : show(bin.count) + " in a " + show(bin.box);
+}
+
+inline std::string show(const Cut& cut) {
+    return cut.at == 0 ? "no cut" : "cut after bin " + show(cut.at) + " that costs " + show(cut.cost);
 }
 
 inline std::string show(const SearchCounts& counts) {

@@ -98,7 +98,9 @@ bool is_within_reach(const Ray& ray, const Bounds& box, Real reach) {
     const Vec3 away = glm::abs(ray.origin - (box.low + box.high) * Real(0.5));
     if (!(away.x <= reach && away.y <= reach && away.z <= reach)) return false;
     const Vec3 d = glm::abs(ray.direction);
-    const auto is_moderate = [&](Real x) { return x == 0 || (x >= 0x1p-900 * reach && x <= 0x1p900 * reach); };
+    const auto is_moderate = [&](Real x) {
+        return x == 0 || (x >= 0x1p-900 * reach && x <= 0x1p900 * reach);
+    };
     return is_moderate(d.x) && is_moderate(d.y) && is_moderate(d.z);
 }
 

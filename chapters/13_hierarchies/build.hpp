@@ -18,10 +18,9 @@ enum class SplitMethod { Halves, Sweep, Bins, Codes };
 /// What a hierarchy is to be made like.
 struct HierarchyOptions {
     SplitMethod method = SplitMethod::Bins;
-    std::size_t most =
-        16;              ///< shapes in a leaf; more are parted in halves where the method keeps them together
-    SplitCosts costs{};  ///< for the methods that look at costs
-    Real distortion = 1;  ///< the greatest of the shapes' transforms: the margin is multiplied by it
+    std::size_t most = 16;  ///< shapes in a leaf; more are parted in halves if the method keeps them together
+    SplitCosts costs{};     ///< what sweep and bins reckon with
+    Real distortion = 1;    ///< the greatest of the shapes' transforms: the margin is multiplied by it
 };
 
 /// The hierarchy over shapes with these boxes. Given, but for 13.4.

@@ -19,6 +19,7 @@
 #include "chapters/12_distribution/sobol.hpp"
 #include "chapters/12_distribution/sphere_light.hpp"
 #include "chapters/12_distribution/triangle_light.hpp"
+#include "chapters/13_hierarchies/split.hpp"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -28,7 +29,9 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <optional>
+#include <span>
 
 namespace rt {
 namespace {
@@ -378,6 +381,60 @@ std::vector<DrawnPixel> lobe(const Drawing& drawing) {
     });
 }
 
+// ------------------------------------------------------------------------------------------------ chapter 13
+
+/// Squares in the plane: many small ones in a crowd, and a few large ones beside it.
+std::vector<Bounds> squares() {
+    std::vector<Bounds> boxes;
+    const auto add = [&](const Vec2& middle, Real half) {
+        boxes.push_back({Vec3(middle - half, 0), Vec3(middle + half, 0)});
+    };
+    for (int k = 0; k < 30; ++k) {
+        // A spiral of the golden angle fills a disc evenly.
+        const Real out = 0.06 * std::sqrt(k + 0.5), angle = 2.39996322972865332 * k;
+        add(Vec2(-0.55, 0.3) + out * Vec2(std::cos(angle), std::sin(angle)), 0.02);
+    }
+    add({-0.65, -0.5}, 0.12);
+    add({-0.1, -0.3}, 0.1);
+    add({0.3, 0.35}, 0.16);
+    add({0.2, -0.55}, 0.08);
+    add({0.75, 0.05}, 0.14);
+    add({0.7, -0.5}, 0.11);
+    return boxes;
+}
+
+/// In which part each square is.
+template <class Split>
+std::vector<DrawnPixel> parted(const Drawing& drawing, const Split& split) {
+    const std::vector<Bounds> boxes = squares();
+    std::vector<std::uint32_t> items(boxes.size());
+    std::iota(items.begin(), items.end(), 0u);
+    const std::size_t count = std::min(split(boxes, std::span(items)), items.size());
+    const std::span<const std::uint32_t> first(items.data(), count);
+    return asked_everywhere(drawing, [&](const Vec2& p) -> DrawnPixel {
+        for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+            const Vec2 low(boxes[i].low), high(boxes[i].high);
+            if (p.x < low.x || p.y < low.y || p.x > high.x || p.y > high.y) continue;
+            const bool is_first = std::ranges::find(first, i) != first.end();
+            return {is_first ? light : Vec3(0.25, 0.5, 0.85), fmt::format("square {}", i),
+                    is_first ? "in the first part" : "in the second part"};
+        }
+        return {dark, "the point " + in_words(p), "in no square"};
+    });
+}
+
+std::vector<DrawnPixel> parted_in_halves(const Drawing& drawing) { return parted(drawing, split_in_halves); }
+std::vector<DrawnPixel> parted_by_sweep(const Drawing& drawing) {
+    return parted(drawing, [](std::span<const Bounds> boxes, std::span<std::uint32_t> items) {
+        return split_by_sweep(boxes, items);
+    });
+}
+std::vector<DrawnPixel> parted_by_bins(const Drawing& drawing) {
+    return parted(drawing, [](std::span<const Bounds> boxes, std::span<std::uint32_t> items) {
+        return split_by_bins(boxes, items);
+    });
+}
+
 constexpr Drawing drawings[] = {
     {"fisheye", 65, 49, fisheye},
     {"silhouette", 64, 48, silhouette},
@@ -407,6 +464,9 @@ constexpr Drawing drawings[] = {
     {"to_triangle", 160, 160, to_triangle},
     {"to_rectangle", 160, 160, to_rectangle},
     {"lobe", 160, 160, lobe},
+    {"parted_in_halves", 160, 120, parted_in_halves},
+    {"parted_by_sweep", 160, 120, parted_by_sweep},
+    {"parted_by_bins", 160, 120, parted_by_bins},
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ namespace {
 }
 
 /// The number of the bin for a middle, of `count` bins from the least middle to the greatest.
-std::size_t bin_at(Real middle, Real least, Real greatest, std::size_t count) {
+[[maybe_unused]] std::size_t bin_at(Real middle, Real least, Real greatest, std::size_t count) {
     // [exercise 13.9] Return the number of the bin, less than `count`; 0 if all middles are equal.
     if (!(least < greatest)) return 0;
     const auto n = static_cast<Real>(count);

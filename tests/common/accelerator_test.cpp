@@ -1,4 +1,4 @@
-// Grids in a World: built where they pay, and nowhere seen in the picture.
+// Accelerators in a World: built where they pay, and nowhere seen in the picture.
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/09_grids/walk.hpp"
 #include "common/render/accelerate.hpp"
@@ -52,7 +52,7 @@ std::string crowd(int count) {
 
 World world_of(const std::string& text) { return test::world_of(text, test::repository() + "/references"); }
 
-std::size_t grids_of(const World& world) {
+std::size_t accelerators_of(const World& world) {
     std::size_t count = 0;
     for (const AnyGroup& any : world.groups)
         count += std::visit([](const auto& group) { return std::size_t(has_accelerator(group)); }, any);
@@ -62,30 +62,54 @@ std::size_t grids_of(const World& world) {
 
 }  // namespace
 
-TEST_CASE("the picture is the same to the bit with and without grids", "[accelerator]") {
+TEST_CASE("the picture is the same to the bit with and without accelerators", "[accelerator]") {
     const std::string text = crowd(test::cases(400));
     const Image plain = render(world_of(text + "accelerator none\n")).image;
-    for (const char* accelerator : {"grid", "nested", "auto"}) {
+    for (const char* accelerator : {"grid", "nested", "bvh", "auto"}) {
         INFO(accelerator);
         const World world = world_of(text + "accelerator " + accelerator + "\n");
         CHECK((render(world).image.pixels == plain.pixels));
-        CHECK(world.needs.accelerators == (grids_of(world) > 0));
+        CHECK(world.needs.accelerators == (accelerators_of(world) > 0));
     }
-    CHECK(grids_of(world_of(text + "accelerator none\n")) == 0);
+    CHECK(accelerators_of(world_of(text + "accelerator none\n")) == 0);
     // Spheres, ellipsoids, triangles and polygons; no grid holds the plane.
-    CHECK(grids_of(world_of(text + "accelerator grid\n")) == 4);
+    CHECK(accelerators_of(world_of(text + "accelerator grid\n")) == 4);
+    CHECK(accelerators_of(world_of(text + "accelerator bvh\n")) == 4);
 }
 
-TEST_CASE("instances have a grid, and so has the mesh that they share", "[accelerator]") {
+TEST_CASE("instances have an accelerator, and so has the mesh that they share", "[accelerator]") {
     std::string text =
         "size 48 36\ncamera 0 2 30 0 0 0 0 1 0 45\npoint 9 9 9 1 1 1\nambient 0 0 0\ndiffuse .7 .7 .7\n";
     for (int i = 0; i < 40; ++i)
         text += "pushTransform\ntranslate " + std::to_string(i % 8 * 3 - 12) + " 0 " +
                 std::to_string(i / 8 * 3 - 12) + "\nrotate 0 1 0 " + std::to_string(17 * i) +
                 "\nscale .4 .5 .4\nmesh 03_triangles/knot_smooth.obj\npopTransform\n";
-    const World grid = world_of(text + "accelerator nested\n");
-    CHECK(grids_of(grid) == 2);
-    CHECK((render(grid).image.pixels == render(world_of(text + "accelerator none\n")).image.pixels));
+    const Image plain = render(world_of(text + "accelerator none\n")).image;
+    for (const char* accelerator : {"nested", "bvh"}) {
+        INFO(accelerator);
+        const World world = world_of(text + "accelerator " + accelerator + "\n");
+        CHECK(accelerators_of(world) == 2);
+        CHECK((render(world).image.pixels == plain.pixels));
+    }
+}
+
+TEST_CASE("solids made of others and smooth triangles are the same in a hierarchy and without",
+          "[accelerator]") {
+    test::Random random(13);
+    std::ostringstream text;
+    text << "size 48 36\ncamera 0 2 9 0 0 0 0 1 0 45\nmaxdepth 3\npoint 4 6 5 .6 .6 .6\nambient .1 .1 .1\n"
+         << "diffuse .5 .6 .7\nspecular .2 .2 .2\nshininess 30\n";
+    for (int i = 0; i < 40; ++i) {
+        const Vec3 p = Real(3) * random.in_cube();
+        text << "difference\nsphere " << p.x << ' ' << p.y << ' ' << p.z << " .4\nsphere " << p.x + 0.2 << ' '
+             << p.y << ' ' << p.z + 0.2 << " .35\nend\n";
+        text << "torus " << p.y << ' ' << p.z << ' ' << p.x << " 1 2 3 .3 .1\n";
+    }
+    text << "pushTransform\nscale .8 .8 .8\nmesh 03_triangles/knot_smooth.obj\npopTransform\n";
+    const World world = world_of(text.str() + "accelerator bvh\n");
+    // Differences, tori and triangles.
+    CHECK(accelerators_of(world) == 3);
+    CHECK((render(world).image.pixels == render(world_of(text.str() + "accelerator none\n")).image.pixels));
 }
 
 TEST_CASE("scenes too small for a grid build none", "[accelerator]") {
@@ -105,7 +129,7 @@ TEST_CASE("a grid pays where many rays ask many shapes", "[accelerator]") {
     CHECK(grid_pays(1'000'000, 1000));
 }
 
-TEST_CASE("a scene that says 'accelerator' needs chapter 9, and explain says what was built",
+TEST_CASE("a scene that says 'accelerator' needs that one's chapter, and explain says what was built",
           "[accelerator]") {
     const auto explained = [](const std::string& text) {
         const Scene scene = parse_scene_text(text, "s");
@@ -115,6 +139,10 @@ TEST_CASE("a scene that says 'accelerator' needs chapter 9, and explain says wha
     CHECK(std::count(asked.chapters.begin(), asked.chapters.end(), "09") == 1);
     CHECK(std::any_of(asked.kept.begin(), asked.kept.end(),
                       [](const Reason& reason) { return reason.what.starts_with("grid of"); }));
+    const Explanation tree = explained(crowd(100) + "accelerator bvh\n");
+    CHECK(std::count(tree.chapters.begin(), tree.chapters.end(), "13") == 1);
+    CHECK(std::any_of(tree.kept.begin(), tree.kept.end(),
+                      [](const Reason& reason) { return reason.what.starts_with("hierarchy of"); }));
     const Explanation chosen = explained(crowd(400));
     CHECK(std::count(chosen.chapters.begin(), chosen.chapters.end(), "09") == 0);
     const Explanation sampled = explained(crowd(10) + "spp 4\n");
@@ -275,7 +303,7 @@ TEST_CASE("far outliers are asked one by one, and everything keeps its place and
     text += far + "tri " + std::to_string(first) + ' ' + std::to_string(first + 1) + ' ' +
             std::to_string(first + 2) + "\nsphere .1 .2 .3 .4\n";
     const World none = world_of(text + "accelerator none\n"), chosen = world_of(text);
-    CHECK(grids_of(chosen) == 4);
+    CHECK(accelerators_of(chosen) == 4);
     CHECK(chosen.groups.size() == none.groups.size() + 2);  // three spheres, and one triangle
     REQUIRE(chosen.primitives.size() == none.primitives.size());
     for (std::size_t p = 0; p < chosen.primitives.size(); ++p) {

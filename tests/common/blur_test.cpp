@@ -74,7 +74,7 @@ TEST_CASE("a lens becomes a pinhole as it gets smaller", "[blur]") {
     CHECK(off("lens 1e-9 6\n") < 1e-6);
 }
 
-TEST_CASE("a moving thing has the same bits in a grid and without", "[blur]") {
+TEST_CASE("a moving thing has the same bits in an accelerator and without", "[blur]") {
     std::string balls = "diffuse .6 .5 .4\n";
     for (int i = 0; i < 40; ++i)
         balls += "motion " + std::to_string((i % 5 - 2) * 0.3) + " " + std::to_string((i % 3) * 0.2) +
@@ -82,8 +82,8 @@ TEST_CASE("a moving thing has the same bits in a grid and without", "[blur]") {
                  std::to_string(i % 7 * -0.3) + " .12\n";
     const std::string lamp = "spp 4\ndirectional 1 2 2  1 1 1\nquadLight -1 3 0  0 0 1  1 0 0  5 5 5\n";
     const Image none = picture("accelerator none\n" + lamp + balls);
-    for (const char* grid : {"accelerator grid\n", "accelerator nested\n"})
-        CHECK(same(none, picture(grid + lamp + balls)));
+    for (const char* accelerator : {"accelerator grid\n", "accelerator nested\n", "accelerator bvh\n"})
+        CHECK(same(none, picture(accelerator + lamp + balls)));
 }
 
 TEST_CASE("moving things of all kinds are where they would stand at that time", "[blur]") {

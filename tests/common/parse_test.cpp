@@ -877,7 +877,7 @@ TEST_CASE("the edit distance counts inserted, deleted, replaced and swapped lett
     CHECK(edit_distance("kitten", "sitting") == 3);
 }
 
-TEST_CASE("the commands of chapters 8 and 9", "[parse]") {
+TEST_CASE("the commands of chapters 8, 9 and 13", "[parse]") {
     const Scene plain = parse("");
     CHECK(plain.sampling.count == 1);
     CHECK(plain.sampling.filter.kind == FilterKind::Box);
@@ -897,12 +897,13 @@ TEST_CASE("the commands of chapters 8 and 9", "[parse]") {
     CHECK(parse("sampler centered").sampling.sampler == Sampler::Centered);
     CHECK(parse("filter gaussian").sampling.filter.radius == 1.5);
     CHECK(parse("accelerator grid").accelerator == AcceleratorChoice::Grid);
+    CHECK(parse("accelerator bvh").accelerator == AcceleratorChoice::Bvh);
 
     CHECK(error_of("spp 0") == "s:1:5: the number of samples must be from 1 to 65536, not 0");
     CHECK(error_of("spp 2.5").starts_with("s:1:5: '2.5' is not a whole number"));
     CHECK(error_of("seed -1").starts_with("s:1:6: the seed must be from 0 to"));
     CHECK(error_of("sampler jitered").find("did you mean 'jittered'?") != std::string::npos);
-    CHECK(error_of("accelerator bvh").starts_with("s:1:13: 'bvh' is not a known accelerator"));
+    CHECK(error_of("accelerator tree").starts_with("s:1:13: 'tree' is not a known accelerator"));
     // Some patterns have a given number of samples; the command's own place is told, wherever the other
     // stands.
     CHECK(error_of("\nadaptive on\nsampler poisson").starts_with("s:2:1: 'adaptive on' needs"));

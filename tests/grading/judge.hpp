@@ -8,6 +8,7 @@
 #include "tests/grading/channel.hpp"
 #include "tests/grading/wire.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -106,6 +107,11 @@ template <class T>
 void write_argument(Outgoing& call, std::span<const T> argument) {
     call.list(argument);
 }
+/// One whose elements the function changes.
+template <class T>
+requires(!std::is_const_v<T>) void write_argument(Outgoing& call, std::span<T> changed) {
+    call.out.list(std::span<const T>(changed));
+}
 inline void write_argument(Outgoing& call, const Ask& ask) {
     call.callback([&ask](Reader& in, Writer& out) {
         const auto shapes = in.read<std::vector<std::uint32_t>>();
@@ -189,6 +195,12 @@ inline void read_back(Reader& in, Stream& stream) { in(stream); }
 template <class T>
 void read_back(Reader& in, std::vector<T>& changed) {
     in(changed);
+}
+template <class T>
+requires(!std::is_const_v<T>) void read_back(Reader& in, std::span<T> changed) {
+    const auto now = in.read<std::vector<T>>();
+    if (now.size() != changed.size()) throw BadBytes("a list has another length than before");
+    std::copy(now.begin(), now.end(), changed.begin());
 }
 
 void add_counts(Reader& in);

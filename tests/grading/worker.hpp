@@ -77,6 +77,12 @@ struct Changed {
     std::vector<T>& get() { return held; }
     void write_back(Writer& out) const { out(held); }
 };
+/// A list whose elements the function changes.
+template <class T>
+struct ChangedElements : Changed<T> {
+    using Changed<T>::Changed;
+    std::span<T> get() { return this->held; }
+};
 template <>
 struct Argument<Ask> {
     struct Call {
@@ -186,6 +192,11 @@ struct Holder {
 template <class T>
 struct Holder<std::vector<T>&> {
     using Type = Changed<T>;
+};
+
+template <class T>
+requires(!std::is_const_v<T>) struct Holder<std::span<T>> {
+    using Type = ChangedElements<T>;
 };
 
 /// The table's entry for a function.

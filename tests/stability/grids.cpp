@@ -498,24 +498,6 @@ std::vector<GridQuestion> make_questions(const GridScene& scene, std::size_t cou
 
 namespace {
 
-std::optional<Hit> nearest(const GridScene& scene, const GridQuestion& question, Mailbox& mailbox) {
-    return std::visit(
-        [&](const auto& some) {
-            return closest_hit(scene.grid, some, question.ray, question.range, mailbox);
-        },
-        scene.shapes);
-}
-
-bool any(const GridScene& scene, const GridQuestion& question, Mailbox& mailbox) {
-    return std::visit(
-        [&](const auto& some) { return any_hit(scene.grid, some, question.ray, question.range, mailbox); },
-        scene.shapes);
-}
-
-}  // namespace
-
-namespace {
-
 /// Asks all the triangles of all the instances.
 std::optional<Hit> nearest_of_instances(const std::vector<Instance>& instances,
                                         const GridQuestion& question) {
@@ -545,11 +527,19 @@ std::optional<Hit> nearest_of_all(const GridScene& scene, const GridQuestion& qu
         scene.shapes);
 }
 
-Verdict judge_nearest(const GridScene& scene, std::span<const GridQuestion> questions) {
+namespace {
+
+template <class OneAccelerator>
+Verdict judge_nearest_by(const OneAccelerator& accelerator, const GridScene& scene,
+                         std::span<const GridQuestion> questions) {
     Verdict verdict;
     Mailbox mailbox;
     for (const GridQuestion& question : questions) {
-        const std::optional<Hit> actual = nearest(scene, question, mailbox);
+        const std::optional<Hit> actual = std::visit(
+            [&](const auto& some) {
+                return closest_hit(accelerator, some, question.ray, question.range, mailbox);
+            },
+            scene.shapes);
         const std::optional<Hit> expected = nearest_of_all(scene, question);
         ++verdict.cases;
         if (equal(actual, expected)) continue;
@@ -559,11 +549,17 @@ Verdict judge_nearest(const GridScene& scene, std::span<const GridQuestion> ques
     return verdict;
 }
 
-Verdict judge_any(const GridScene& scene, std::span<const GridQuestion> questions) {
+template <class OneAccelerator>
+Verdict judge_any_by(const OneAccelerator& accelerator, const GridScene& scene,
+                     std::span<const GridQuestion> questions) {
     Verdict verdict;
     Mailbox mailbox;
     for (const GridQuestion& question : questions) {
-        const bool actual = any(scene, question, mailbox);
+        const bool actual = std::visit(
+            [&](const auto& some) {
+                return any_hit(accelerator, some, question.ray, question.range, mailbox);
+            },
+            scene.shapes);
         const std::optional<Hit> expected = nearest_of_all(scene, question);
         ++verdict.cases;
         if (actual == expected.has_value()) continue;
@@ -571,6 +567,26 @@ Verdict judge_any(const GridScene& scene, std::span<const GridQuestion> question
                                     ", the nearest hit is " + text_of(expected));
     }
     return verdict;
+}
+
+}  // namespace
+
+Verdict judge_nearest(const GridScene& scene, std::span<const GridQuestion> questions) {
+    return judge_nearest_by(scene.grid, scene, questions);
+}
+
+Verdict judge_any(const GridScene& scene, std::span<const GridQuestion> questions) {
+    return judge_any_by(scene.grid, scene, questions);
+}
+
+Verdict judge_nearest(const GridScene& scene, const Hierarchy& hierarchy,
+                      std::span<const GridQuestion> questions) {
+    return judge_nearest_by(hierarchy, scene, questions);
+}
+
+Verdict judge_any(const GridScene& scene, const Hierarchy& hierarchy,
+                  std::span<const GridQuestion> questions) {
+    return judge_any_by(hierarchy, scene, questions);
 }
 
 }  // namespace rt::stability

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "chapters/09_grids/walk.hpp"
+#include "chapters/13_hierarchies/walk.hpp"
 #include "tests/stability/verdict.hpp"
 #include "tests/support.hpp"
 
@@ -60,6 +61,12 @@ Verdict judge_nearest(const GridScene& scene, std::span<const GridQuestion> ques
 
 /// Judges what any_hit answers with the scene's grid.
 Verdict judge_any(const GridScene& scene, std::span<const GridQuestion> questions);
+
+/// Judge what they answer with a hierarchy over the scene's shapes.
+Verdict judge_nearest(const GridScene& scene, const Hierarchy& hierarchy,
+                      std::span<const GridQuestion> questions);
+Verdict judge_any(const GridScene& scene, const Hierarchy& hierarchy,
+                  std::span<const GridQuestion> questions);
 
 /// How many shapes there are.
 std::size_t count_of(const AnyShapes& shapes);

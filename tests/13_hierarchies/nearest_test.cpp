@@ -1,0 +1,156 @@
+// What is found by hierarchies that the chapter's own code builds: the same as by asking all, with few
+// questions.
+#include "chapters/02_spheres/sphere.hpp"
+#include "chapters/03_triangles/triangle.hpp"
+#include "tests/13_hierarchies/trees.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <cmath>
+
+using namespace rt;
+using namespace rt::test;
+
+namespace {
+
+/// A ball of small triangles on a large floor.
+std::vector<Triangle> ball_in_stadium() {
+    const int n = 24;
+    std::vector<Triangle> triangles;
+    const auto at = [&](int i, int j) {
+        const Real u = 2 * pi * i / (2 * n), v = pi * j / n;
+        return Vec3(10 + std::sin(v) * std::cos(u), 1 + std::cos(v), 10 + std::sin(v) * std::sin(u));
+    };
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < 2 * n; ++i) {
+            triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    triangles.push_back({{-1000, 0, -1000}, {-1000, 0, 1000}, {1000, 0, 1000}});
+    triangles.push_back({{-1000, 0, -1000}, {1000, 0, 1000}, {1000, 0, -1000}});
+    return triangles;
+}
+
+/// Camera rays that all pass near the ball.
+std::vector<Ray> rays_at_ball(int count) {
+    return many(static_cast<std::size_t>(count), 1330, [](Random& random) {
+        const Vec3 from(13, 4, 20);
+        return Ray{from, Vec3(10, 1, 10) + random.in_cube() - from};
+    });
+}
+
+/// Shapes asked by the rays on their way to their nearest hits; and checks that these are right.
+std::uint64_t asked_on_the_way(const Hierarchy& tree, const std::vector<Triangle>& triangles,
+                               const std::vector<Ray>& rays) {
+    Mailbox mailbox;
+    std::uint64_t asked = 0, wrong = 0;
+    for (const Ray& ray : rays) {
+        std::optional<Hit> hit;
+        asked += counted([&] { hit = closest_hit(tree, triangles, ray, ahead, mailbox); }).shapes;
+        if (!same_hit(hit, closest_hit(triangles, ray, ahead))) ++wrong;
+    }
+    INFO("for how many of " << rays.size() << " rays the nearest hit is another than that of asking all");
+    CHECK(wrong == 0);
+    return asked;
+}
+
+void check_row(const Hierarchy& tree, const std::vector<Sphere>& spheres) {
+    Mailbox mailbox;
+    const auto check = [&](const Ray& ray, std::optional<Hit> expected) {
+        INFO("spheres of radius 0.4 at 0, 1, ... 99 on the x axis; " << ray << ": what is hit");
+        const std::optional<Hit> hit = closest_hit(tree, spheres, ray, ahead, mailbox);
+        REQUIRE(or_say(hit.has_value() == expected.has_value(), hit ? "a hit" : "nothing"));
+        if (!hit) return;
+        CHECK(hit->primitive == expected->primitive);
+        CHECK(near(hit->t, expected->t, 1e-9));
+    };
+    check({{-5, 0, 0}, {1, 0, 0}}, Hit{.t = 4.6, .primitive = 0});
+    check({{105, 0, 0}, {-1, 0, 0}}, Hit{.t = 5.6, .primitive = 99});
+    check({{41.5, 0, 0}, {1, 0, 0}}, Hit{.t = 0.1, .primitive = 42});
+    check({{70, -3, 0}, {0, 1, 0}}, Hit{.t = 2.6, .primitive = 70});
+    check({{70.5, -3, 0}, {0, 1, 0}}, std::nullopt);
+    check({{-5, 0, 0}, {-1, 0, 0}}, std::nullopt);
+}
+
+std::vector<Sphere> row_of_spheres() {
+    std::vector<Sphere> spheres;
+    for (int k = 0; k < 100; ++k) spheres.push_back({{k, 0, 0}, 0.4});
+    return spheres;
+}
+
+}  // namespace
+
+TEST_CASE("the nearest of a row of spheres, by halves", "[13.4]") {
+    const std::vector<Sphere> spheres = row_of_spheres();
+    check_row(build_hierarchy(spheres, {.method = SplitMethod::Halves, .most = 2}), spheres);
+}
+
+TEST_CASE("a ray across a row of spheres asks few of them", "[13.4]") {
+    const std::vector<Sphere> spheres = row_of_spheres();
+    const Hierarchy tree = build_hierarchy(spheres, {.method = SplitMethod::Halves, .most = 1});
+    Mailbox mailbox;
+    const SearchCounts counts = counted([&] {
+        closest_hit(tree, spheres, {{70, -3, 0}, {0, 1, 0}}, ahead, mailbox);
+    });
+    INFO("a ray that meets one of 100 spheres, each in a leaf of its own: how many it asks");
+    CHECK(counts.shapes == 1);
+    INFO("how many nodes it looks into: one on each of the 7 or 8 floors of the tree");
+    CHECK(counts.cells <= 8);
+}
+
+TEST_CASE("a ball in a stadium, by halves", "[13.4]") {
+    const std::vector<Triangle> triangles = ball_in_stadium();
+    const std::vector<Ray> rays = rays_at_ball(cases(300));
+    const Hierarchy tree = build_hierarchy(triangles, {.method = SplitMethod::Halves, .most = 4});
+    INFO("2306 triangles and " << rays.size() << " rays: how many triangles a ray asks on average");
+    const std::uint64_t asked = asked_on_the_way(tree, triangles, rays);
+    CHECK(static_cast<Real>(asked) / static_cast<Real>(rays.size()) < 60);
+}
+
+TEST_CASE("the nearest of a row of spheres, by bins", "[13.10]") {
+    const std::vector<Sphere> spheres = row_of_spheres();
+    check_row(build_hierarchy(spheres), spheres);
+}
+
+TEST_CASE("a ball in a stadium, by bins: no more questions than by halves", "[13.10]") {
+    const std::vector<Triangle> triangles = ball_in_stadium();
+    const std::vector<Ray> rays = rays_at_ball(cases(300));
+    const Hierarchy by_halves = build_hierarchy(triangles, {.method = SplitMethod::Halves, .most = 4});
+    const Hierarchy by_bins = build_hierarchy(triangles, {.most = 4});
+    const auto work = [&](const Hierarchy& tree) {
+        std::uint64_t asked = 0;
+        const SearchCounts counts = counted([&] { asked = asked_on_the_way(tree, triangles, rays); });
+        return static_cast<Real>(asked + counts.cells) / static_cast<Real>(rays.size());
+    };
+    const Real halves = work(by_halves);
+    INFO("2306 triangles and " << rays.size() << " rays: nodes and triangles a ray by bins, by halves "
+                               << halves);
+    CHECK(work(by_bins) < halves);
+}
+
+TEST_CASE("what a tree that was fitted to moved shapes finds", "[13.11]") {
+    std::vector<Sphere> spheres = row_of_spheres();
+    Hierarchy tree = plain_tree([&] {
+        std::vector<Bounds> boxes;
+        for (const Sphere& sphere : spheres) boxes.push_back(bounds_of(sphere));
+        return boxes;
+    }());
+    Random random(1331);
+    Mailbox mailbox;
+    for (int frame = 0; frame < 3; ++frame) {
+        std::vector<Bounds> boxes;
+        for (Sphere& sphere : spheres) {
+            sphere.center += Real(5) * random.in_cube();
+            boxes.push_back(bounds_of(sphere));
+        }
+        tree = refit(tree, boxes);
+        for (int k = 0; k < cases(100); ++k) {
+            const Ray ray = towards(random, spheres[random.index(100)].center + random.in_cube(), 30);
+            INFO("100 spheres that have moved "
+                 << frame + 1 << " times, " << ray
+                 << ": the nearest hit, expected what asking all of them finds");
+            CHECK(
+                same_hit(closest_hit(tree, spheres, ray, ahead, mailbox), closest_hit(spheres, ray, ahead)));
+        }
+    }
+}
