@@ -13,9 +13,9 @@
 #include "chapters/10_surfaces/cone.hpp"
 #include "chapters/10_surfaces/implicit.hpp"
 #include "chapters/10_surfaces/torus.hpp"
-#include "common/world/bounding_volumes.hpp"
 #include "chapters/13_hierarchies/split.hpp"
 #include "chapters/13_hierarchies/walk.hpp"
+#include "common/world/bounding_volumes.hpp"
 #include "common/world/world.hpp"
 
 #include <charconv>

@@ -9,11 +9,10 @@
 
 namespace rt {
 
-/// [13.17] How the points are spread: the mean over the points of (p − m)(p − m)ᵀ, where m is the mean of all
-/// points. Element [i][j] is the mean of the products of coordinates i and j, seen from m. Its error is at
-/// most 2^-40 of the greatest element, as long as the points are at most 2^10 times farther from the origin
-/// than from one another; farther away it may be 4u² of the square of the greatest coordinate. 0 of no
-/// points.
+/// [13.17] How the points are spread: the mean over the points of (p − m)(p − m)ᵀ, where m is their mean.
+/// Element [i][j] is the mean of the products of coordinates i and j, seen from m. Its error is at most 2^-40
+/// of the greatest element, and the square of by how much rounding moves the mean: far from the origin points
+/// are spread as they are near it. 0 of no points.
 Mat3 covariance(std::span<const Vec3> points);
 
 /// [13.18] Axes along which a symmetric matrix only stretches: unit vectors across one another, the columns
@@ -28,10 +27,11 @@ OrientedBox box_along(const Mat3& axes, std::span<const Vec3> points);
 /// Half the area of the box's surface; 0 of an empty box. Given.
 Real half_area(const OrientedBox& box);
 
-/// [13.20] Axes that are turned until the box along them around the points has little surface: never more
-/// than along those given, and no turn about one of the three axes by 1/64 of a right angle or more of the
-/// angles that were tried makes it less. Begins with turns of an eighth of a circle, and halves the angle
-/// whenever none of the six (about each axis, either way) lessens the area.
+/// [13.20] Axes along which the box around the points has little surface: those given, turned. First by an
+/// eighth of a half circle about one of the three axes, this way or that, wherever that lessens the area;
+/// when none of the six turns does, by half that angle, down to 1/128 of a half circle, by which at last no
+/// turn lessens it any more, but for rounding. The axes are still unit vectors across one another, up to
+/// 2^-40.
 Mat3 refined_axes(const Mat3& axes, std::span<const Vec3> points);
 
 /// [13.21] The part of the ray inside the box, or nothing if that is empty.

@@ -27,7 +27,9 @@ BoundingSphere sphere_through(std::span<const Vec3> points);
 struct SmallestSphere {
     BoundingSphere sphere;
     /// Up to four of the points. They are on the sphere, and its centre is between them: it is a mean of them
-    /// with some weights that are not negative. That is why no other sphere around them is as small.
+    /// with some weights that are not negative. That is why no other sphere around them is as small. (Where
+    /// more points are so near the sphere that rounding decides which of them count, these need not be
+    /// right.)
     std::vector<Vec3> support;
 };
 

@@ -43,7 +43,7 @@ Mat3 principal_axes(const Mat3& matrix) {
     // beside the diagonal that belongs to the other two axes becomes 0. That spoils those that were 0 before,
     // but less each time: a few rounds are enough.
     for (int round = 0; round < 16; ++round)
-        for (const auto [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+        for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
             if (m[i][j] == 0) continue;
             // The smaller of the two angles: its tangent, from the cotangent of its double.
             const Real cotangent = (m[j][j] - m[i][i]) / (2 * m[i][j]);

@@ -222,14 +222,14 @@ std::optional<Interval> clip(const BoundingSphere& sphere, const Ray& ray, Inter
 }
 
 std::optional<Interval> clip(const OrientedBox& box, const Ray& ray, Interval range) {
-    return clip(Bounds{-box.half, box.half}, {(ray.origin - box.center) * box.axes, ray.direction * box.axes},
-                range);
+    return naive::clip(Bounds{-box.half, box.half},
+                       {(ray.origin - box.center) * box.axes, ray.direction * box.axes}, range);
 }
 
 std::optional<Interval> clip(const BoundingEllipsoid& ellipsoid, const Ray& ray, Interval range) {
-    return clip(BoundingSphere{Vec3(0), 1},
-                {ellipsoid.to_unit * (ray.origin - ellipsoid.center), ellipsoid.to_unit * ray.direction},
-                range);
+    return naive::clip(
+        BoundingSphere{Vec3(0), 1},
+        {ellipsoid.to_unit * (ray.origin - ellipsoid.center), ellipsoid.to_unit * ray.direction}, range);
 }
 
 Mat3 covariance(std::span<const Vec3> points) {
