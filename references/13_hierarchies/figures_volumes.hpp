@@ -6,12 +6,12 @@
 #include "chapters/13_hierarchies/volumes.hpp"
 #include "chapters/13_hierarchies/walk.hpp"
 #include "common/math/random.hpp"
-#include "common/math/stopwatch.hpp"
 #include "references/figures.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <ctime>
 
 namespace rt::figures {
 
@@ -62,6 +62,14 @@ inline std::vector<Ray> rays_into_cube(std::size_t count, Real size) {
     return rays;
 }
 
+/// The processor's time that an action takes, whatever else the machine does.
+template <class Action>
+double core_seconds_of(const Action& action) {
+    const std::clock_t start = std::clock();
+    action();
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
 /// A hierarchy, and all that takes its place.
 struct AllTrees {
     std::vector<Triangle> triangles;
@@ -81,11 +89,7 @@ inline AllTrees all_trees(const std::string& kind, int count) {
                  .oriented = {},
                  .ellipsoids = {}};
     for (const Triangle& t : all.triangles) add_points(all.points, t, bounds_of(t));
-    const auto timed = [&](std::size_t k, const auto& build) {
-        const Stopwatch watch;
-        build();
-        all.seconds[k] = watch.seconds();
-    };
+    const auto timed = [&](std::size_t k, const auto& build) { all.seconds[k] = core_seconds_of(build); };
     timed(0, [&] { all.boxes = build_hierarchy(all.triangles); });
     timed(1, [&] { all.spheres = sphere_tree(all.boxes, all.points); });
     timed(2, [&] { all.oriented = oriented_box_tree(all.boxes, all.points); });
@@ -166,10 +170,10 @@ inline void draw_tightness(const Path& directory) {
         csv += kinds[k];
         const auto count = [&](std::size_t which, const auto& tree) {
             std::uint64_t met = 0, hit = 0, tests = 0;
-            const Stopwatch watch;
-            for (const Ray& ray : rays)
-                for (const auto& node : tree.nodes) tests += clip(volume_of(node), ray, {}) ? 1u : 0u;
-            const double seconds = watch.seconds();
+            const double seconds = core_seconds_of([&] {
+                for (const Ray& ray : rays)
+                    for (const auto& node : tree.nodes) tests += clip(volume_of(node), ray, {}) ? 1u : 0u;
+            });
             if (k == 1)
                 ns[which] = 1e9 * seconds /
                             (static_cast<double>(rays.size()) * static_cast<double>(tree.nodes.size()));
@@ -220,9 +224,9 @@ inline void draw_trees(const Path& directory) {
         const auto cost = [&](const auto& tree) {
             Mailbox mailbox;
             const SearchCounts before = search_counts();
-            const Stopwatch watch;
-            for (const Ray& ray : rays) closest_hit(tree, all.triangles, ray, {}, mailbox);
-            const double seconds = watch.seconds();
+            const double seconds = core_seconds_of([&] {
+                for (const Ray& ray : rays) closest_hit(tree, all.triangles, ray, {}, mailbox);
+            });
             const auto n = static_cast<Real>(rays.size());
             const Vec2 at(static_cast<Real>(search_counts().cells - before.cells) / n,
                           static_cast<Real>(search_counts().shapes - before.shapes) / n);
