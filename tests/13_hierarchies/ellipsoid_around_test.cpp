@@ -1,6 +1,7 @@
 // Ellipsoids around points: weights, the ellipsoid that follows from them, and where a ray is inside.
 #include "chapters/13_hierarchies/ellipsoid_around.hpp"
 #include "tests/catch.hpp"
+#include "tests/oracle/volume.hpp"
 #include "tests/show.hpp"
 #include "tests/stability/volumes.hpp"
 #include "tests/support.hpp"
@@ -271,4 +272,22 @@ TEST_CASE("a ray that touches an ellipsoid is not lost by rounding", "[13.24]") 
                 const std::optional<Interval> part = clip(ellipsoid, ray, {});
                 CHECK(or_say(part.has_value(), "it is missed: rounding must be allowed for"));
             }
+}
+
+TEST_CASE("rays through flat ellipsoids that stand aslant lose nothing, by exact arithmetic", "[13.24]") {
+    // Under to_unit, what rounds a step along the ellipsoid is 1e4 times as large across it.
+    Random random(1336);
+    for (int k = 0; k < cases(500); ++k) {
+        const Mat3 axes = stability::some_axes(random);
+        const Vec3 reach(1, 1, 1e-4), center = random.in_cube();
+        Mat3 to_unit = glm::transpose(axes);
+        for (int a = 0; a < 3; ++a) to_unit[a] /= reach;
+        const BoundingEllipsoid flat{center, to_unit, 1.000001};
+        const Vec3 origin = center + 5.0 * random.direction();
+        const Ray ray{origin, center + axes * (reach * (0.5 * random.in_cube())) - origin};
+        const std::optional<Interval> part = clip(flat, ray, {});
+        const oracle::PartTruth truth = oracle::judge_part(flat, flat, ray, {}, part);
+        INFO("the " << ray << " through the flat " << flat << "; what is said to be inside: " << part);
+        CHECK(or_say(!truth.lost, "a part that is inside is lost: rounding must be allowed for"));
+    }
 }
