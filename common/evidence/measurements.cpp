@@ -35,7 +35,8 @@ ReportData measured(const Project& project, const WantedReports& wanted, bool qu
     std::vector<std::string> arguments{program(project, "report_data").string(), "-o", file.string()};
     if (quick) arguments.push_back("--quick");
     if (wanted.error_time)
-        arguments.insert(arguments.end(), {"kernels", "pictures", "filters", "blurs", "povray", "grids"});
+        arguments.insert(arguments.end(),
+                         {"kernels", "pictures", "filters", "blurs", "povray", "grids", "searches"});
     if (wanted.stability) arguments.push_back("stability");
     ProcessOptions options;
     options.merge_errors = false;  // it shows its progress

@@ -217,6 +217,31 @@ PageView grids_view(const ReportData& grids) {
     return {{"points", points}};
 }
 
+/// The ways of each scene together; scenes in the order of the data.
+PageView searches_view(const ReportData& searches) {
+    PageView scenes = PageView::array();
+    for (const auto& point : searches) {
+        if (scenes.empty() || scenes.back().at("scene") != point.at("scene"))
+            scenes.push_back({{"scene", point.at("scene")},
+                              {"triangles", whole(point.at("triangles"))},
+                              {"ways", PageView::array()}});
+        const bool built = point.at("bytes") > 0, predicted = point.at("predicted") > 0;
+        scenes.back()["ways"].push_back(
+            {{"way", point.at("way")},
+             {"build_ms", built ? number_text(point.at("build_seconds").get<double>() * 1e3) : "–"},
+             {"bytes", built ? number_text(point.at("bytes")) : "–"},
+             {"nodes", built ? number_text(point.at("nodes")) : "–"},
+             {"asked", number_text(point.at("asked"))},
+             {"ns", number_text(point.at("ns"))},
+             {"break_even", built ? whole(point.at("break_even")) : "–"},
+             {"predicted", predicted ? number_text(point.at("predicted")) : "–"},
+             {"paid", predicted ? number_text(point.at("paid")) : "–"},
+             {"different", number_text(point.at("different"))},
+             {"compared", number_text(point.at("compared"))}});
+    }
+    return {{"scenes", scenes}};
+}
+
 /// The rows of each chapter together; chapters in the order of the data.
 PageView stability_view(const ReportData& rows) {
     PageView chapters = PageView::array();
@@ -275,6 +300,7 @@ std::string report_page(const ReportData& data, const std::vector<ReportPlot>& p
     if (data.contains("filters")) view["filters"] = filters_view(data.at("filters"), view.at("plots"));
     if (data.contains("blurs")) view["blurs"] = blurs_view(data, view.at("plots"));
     if (data.contains("grids")) view["grids"] = grids_view(data.at("grids"));
+    if (data.contains("searches")) view["searches"] = searches_view(data.at("searches"));
     if (data.contains("stability")) view["stability"] = stability_view(data.at("stability"));
     if (data.contains("leave_out")) view["leave_out"] = leave_out_view(data.at("leave_out"));
     return page_from("common/evidence/pages/report.mustache", view);

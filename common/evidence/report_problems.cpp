@@ -67,6 +67,14 @@ void add_grids(Problems& problems, const ReportData& grids) {
                             number(point.at("brute_rays"))));
 }
 
+void add_searches(Problems& problems, const ReportData& searches) {
+    for (const auto& point : searches)
+        if (point.at("different") > 0)
+            problems.push_back(fmt::format("{}, {}: {} of {} rays are answered differently from brute force",
+                                           text(point.at("scene")), text(point.at("way")),
+                                           number(point.at("different")), number(point.at("compared"))));
+}
+
 void add_stability(Problems& problems, const ReportData& rows) {
     for (const auto& row : rows) {
         const auto& stable = row.at("stable");
@@ -96,6 +104,7 @@ std::vector<std::string> report_problems(const ReportData& data) {
     if (data.contains("filters")) add_filters(problems, data.at("filters"));
     if (data.contains("blurs")) add_blurs(problems, data.at("blurs"));
     if (data.contains("grids")) add_grids(problems, data.at("grids"));
+    if (data.contains("searches")) add_searches(problems, data.at("searches"));
     if (data.contains("stability")) add_stability(problems, data.at("stability"));
     if (data.contains("leave_out")) add_leave_out(problems, data.at("leave_out"));
     return problems;

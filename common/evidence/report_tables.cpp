@@ -116,6 +116,20 @@ ReportFile grid_table(const ReportData& grids) {
     return {"grids.csv", table.text};
 }
 
+ReportFile search_table(const ReportData& searches) {
+    Table table({"scene", "way", "triangles", "build_seconds", "ns_a_ray", "nodes_a_ray",
+                 "triangles_asked_a_ray", "bytes_a_triangle", "break_even_rays", "predicted_cost",
+                 "paid_by_lines", "compared", "different"});
+    for (const auto& point : searches) {
+        std::vector<ReportData> cells;
+        for (const auto* name : {"scene", "way", "triangles", "build_seconds", "ns", "nodes", "asked",
+                                 "bytes", "break_even", "predicted", "paid", "compared", "different"})
+            cells.push_back(point.at(name));
+        table.row(cells);
+    }
+    return {"searches.csv", table.text};
+}
+
 ReportFile stability_table(const ReportData& rows) {
     Table table({"chapter", "question", "family", "condition_number", "demand", "cases", "undecided", "wrong",
                  "worst_error_in_demands", "worst_case", "first_wrong_case", "textbook_method",
@@ -162,6 +176,7 @@ std::vector<ReportFile> report_tables(const ReportData& data) {
         if (data.contains(kind)) tables.push_back(blur_table(data.at(kind), std::string(kind) + ".csv"));
     if (data.contains("blurs")) tables.push_back(slope_table(data.at("blurs"), "blurs_slopes.csv"));
     if (data.contains("grids")) tables.push_back(grid_table(data.at("grids")));
+    if (data.contains("searches")) tables.push_back(search_table(data.at("searches")));
     if (data.contains("stability")) tables.push_back(stability_table(data.at("stability")));
     if (data.contains("leave_out")) tables.push_back(leave_out_table(data.at("leave_out")));
     return tables;

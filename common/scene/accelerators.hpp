@@ -18,13 +18,13 @@ struct AcceleratorWord {
 
 inline constexpr AcceleratorWord accelerator_words[] = {
     {"auto", AcceleratorChoice::Auto,
-     "(default) whichever of the others is found cheapest by samples and counts, around all shapes of a kind "
-     "but at most 64 that are far out or huge",
+     "(default) whichever of `none`, `grid` and `nested` is found cheapest by samples and counts, around all "
+     "shapes of a kind but at most 64 that are far out or huge",
      ""},
     {"none", AcceleratorChoice::None, "nothing", ""},
     {"grid", AcceleratorChoice::Grid, "one uniform grid over each kind of shape and each shared mesh", "09"},
     {"nested", AcceleratorChoice::Nested, "the same, and crowded cells have grids of their own", "09"},
-    {"bvh", AcceleratorChoice::Bvh, "a hierarchy of boxes over each of them", "13"},
+    {"bvh", AcceleratorChoice::Bvh, "a hierarchy of boxes over each of them; `auto` tries none of these", "13"},
     {"spheres", AcceleratorChoice::Spheres, "the same hierarchy with spheres for boxes", "13"},
     {"obb", AcceleratorChoice::OrientedBoxes, "the same with boxes that have axes of their own", "13"},
     {"ellipsoids", AcceleratorChoice::Ellipsoids, "the same with ellipsoids", "13"},

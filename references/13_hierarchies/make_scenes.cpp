@@ -105,20 +105,20 @@ std::string needles() {
 /// A few trees near the eye, and very many far away, up to two kilometres.
 std::string forest() {
     std::string scene =
-        "# Trees near and far: 500 times the same tree of 10,000 triangles, the nearest 12 m and the "
+        "# Trees near and far: 500 times the same tree of 10,000 triangles, the nearest 24 m and the "
         "farthest 2 km\n"
         "# away. Most of the box around all of them is empty.\n"
         "# Written by make_scenes_13 forest.scene; the tree is that of chapter 4.\n"
         "version 1\nsize 320 240\noutput forest.png\nencoding srgb\nbackground .62 .7 .78\nmaxdepth 1\n"
         "accelerator bvh\n\n"
-        "camera 0 5 30   0 4.2 0   0 1 0   46\n\n"
+        "camera 0 11 30   0 5 0   0 1 0   46\n\n"
         "directional .7 .6 .25   .85 .74 .55\ndirectional -.5 .4 .6   .1 .12 .16\n\n"
         "ambient .12 .14 .08\ndiffuse .3 .34 .16\nplane 0 0 0 0 1 0\n";
     for (std::uint32_t n = 0; n < 500; ++n) {
         // Evenly in the logarithm of the distance; those that are near stand beside the middle.
-        const Real far = 12 * std::pow(170.0, std::pow(scatter(8 * n), 0.6));
+        const Real far = 24 * std::pow(85.0, std::pow(scatter(8 * n), 0.6));
         const Real aside = (scatter(8 * n + 1) - 0.5) * 1.1;
-        const Real x = far * (far < 40 ? aside + (aside > 0 ? 0.18 : -0.18) : aside), z = 30 - far;
+        const Real x = far * (far < 60 ? aside + (aside > 0 ? 0.18 : -0.18) : aside), z = 30 - far;
         const Real wide = 0.7 + 0.6 * scatter(8 * n + 2), high = wide * (0.9 + 0.4 * scatter(8 * n + 3));
         const Real air = 1 - std::exp(-far / 700), autumn = scatter(8 * n + 4);
         const Vec3 leaf =

@@ -40,9 +40,10 @@ std::size_t split(const Task& task, std::span<std::uint32_t> items) {
     // Each of 2^32 shapes is alone after 32 halvings.
     const bool may_choose = items.size() > 1 && above < deepest_leaf - 32;
     const std::size_t first = may_choose ? split(task, items) : 0;
-    return first == 0 && items.size() > std::max<std::size_t>(task.options.most, 1)
-               ? split_in_halves(task.boxes, items)
-               : first;
+    // A split that is still wrong may give the first child all: a tree with an empty node would have no end.
+    if (first > 0 && first < items.size()) return first;
+    return items.size() > std::max<std::size_t>(task.options.most, 1) ? split_in_halves(task.boxes, items)
+                                                                      : 0;
 }
 
 /// Makes node number `node` and all that is below it of the shapes in the places from `begin` up to, but not

@@ -16,18 +16,6 @@ std::vector<Bounds> cubes_at(const std::vector<Real>& places) {
 
 HierarchyOptions halves(std::size_t most) { return {.method = SplitMethod::Halves, .most = most}; }
 
-std::vector<Bounds> random_boxes(Random& random, std::size_t count) {
-    std::vector<Bounds> boxes;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 low = Real(10) * random.in_cube();
-        boxes.push_back({low, low + glm::abs(random.in_cube())});
-    }
-    return boxes;
-}
-
-/// Names of methods, in the order of SplitMethod.
-constexpr const char* method_names[] = {"halves", "sweep", "bins", "codes"};
-
 }  // namespace
 
 TEST_CASE("four cubes in a row, by halves", "[13.4]") {
@@ -128,34 +116,6 @@ TEST_CASE("random boxes, by halves", "[13.4]") {
             CHECK(is_right(tree, boxes, most));
         }
     }
-}
-
-TEST_CASE("a tree by bins parts the teapot from the stadium", "[13.10]") {
-    // Sixteen small cubes in a corner and two walls far away.
-    std::vector<Bounds> boxes{{{-100, 0, 0}, {-99, 50, 50}}, {{99, 0, 0}, {100, 50, 50}}};
-    for (int k = 0; k < 16; ++k)
-        boxes.push_back({{k % 4 * 2, k / 4 * 2, 0}, {k % 4 * 2 + 1, k / 4 * 2 + 1, 1}});
-    const Hierarchy tree = build_hierarchy(boxes);
-    INFO("walls at x = -100 and 100, and between them 16 cubes: what the contract says of the tree");
-    CHECK(is_right(tree, boxes));
-    INFO("how deep the tree is, by bins: each wall is parted from the cubes, and these are parted further");
-    CHECK(depth_of(tree) >= 3);
-    const Real by_halves = predicted_cost(build_hierarchy(boxes, halves(1)));
-    INFO("the predicted cost by bins, which is less than by halves, " << by_halves);
-    CHECK(predicted_cost(tree) < by_halves);
-}
-
-TEST_CASE("every method makes a right tree of random boxes", "[13.10]") {
-    Random random(1310);
-    for (const SplitMethod method : {SplitMethod::Halves, SplitMethod::Sweep, SplitMethod::Bins})
-        for (const std::size_t most : {1u, 8u}) {
-            const std::vector<Bounds> boxes = random_boxes(random, 200);
-            const Hierarchy tree = build_hierarchy(boxes, {.method = method, .most = most});
-            INFO("200 random boxes by " << method_names[static_cast<std::size_t>(method)] << ", at most "
-                                        << most
-                                        << " in a leaf: what the contract says of nodes, boxes and shapes");
-            CHECK(is_right(tree, boxes, most));
-        }
 }
 
 // ------------------------------------------------------------------------------------------------ refit

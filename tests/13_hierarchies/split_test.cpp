@@ -274,6 +274,14 @@ TEST_CASE("what a node and a shape cost", "[13.7]") {
     check_cut({{cube_at(0), 4}, {cube_at(1), 6}}, 1, 0.5 + 7 * 10 * 3 / 5.0, {0.5, 7});
 }
 
+TEST_CASE("of cuts that cost the same the first is taken", "[13.7]") {
+    const Bin none, one{cube_at(0), 1}, other{cube_at(1), 1};
+    INFO("behind the first bin, or behind the empty one after it");
+    check_cut({one, none, other}, 1, 1 + 6.0 / 5);
+    INFO("three times the same box: behind the first bin or the second");
+    check_cut({one, one, one}, 1, 1 + 3);
+}
+
 TEST_CASE("each side of a cut has a shape", "[13.7]") {
     const Bin none, one{cube_at(0), 1}, other{cube_at(1), 1};
     // Half areas: all 5, a cube 3.
@@ -281,14 +289,6 @@ TEST_CASE("each side of a cut has a shape", "[13.7]") {
     check_cut({none, one, other}, 2, cost);
     check_cut({one, other, none}, 1, cost);
     check_cut({none, none, one, none, other, none}, 3, cost);
-}
-
-TEST_CASE("of cuts that cost the same the first is taken", "[13.7]") {
-    const Bin none, one{cube_at(0), 1}, other{cube_at(1), 1};
-    INFO("behind the first bin, or behind the empty one after it");
-    check_cut({one, none, other}, 1, 1 + 6.0 / 5);
-    INFO("three times the same box: behind the first bin or the second");
-    check_cut({one, one, one}, 1, 1 + 3);
 }
 
 TEST_CASE("where there is no cut", "[13.7]") {
@@ -520,8 +520,13 @@ TEST_CASE("there are cuts only between the sixteen bins", "[13.10]") {
             "160, by a sweep");
         check_parts(by_sweep(), crowd, small);
     }
-    INFO("the same by bins, of which 0 and 8 are in one");
-    check_parts(by_bins(), crowd, together);
+    {
+        INFO("the same by bins, of which 0 and 8 are in one");
+        check_parts(by_bins(), crowd, together);
+    }
+    crowd[20] = cube_around({12, 0, 0}, 60);
+    INFO("the same with number 20 around 12, in the next bin");
+    check_parts(by_bins(), crowd, small);
 }
 
 TEST_CASE("bins look at the items only", "[13.10]") {

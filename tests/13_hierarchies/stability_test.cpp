@@ -41,7 +41,7 @@ void check_families(Judge judge, int rays) {
             if (options.method == SplitMethod::Codes) options.method = SplitMethod::Bins;
             const Hierarchy tree = hierarchy_over(scene.shapes, options);
             INFO("seed " << seed + k << " of " << family.name << ": what the contract says of the tree");
-            CHECK(is_right(tree, boxes_of(scene.shapes), 16));
+            REQUIRE(is_right(tree, boxes_of(scene.shapes), 16));
             add(verdict, judge(scene, tree, make_questions(scene, rays_a_scene, seed + k)));
             if (verdict.mismatches > 0) break;
         }
@@ -110,7 +110,7 @@ TEST_CASE("shapes whose sizes fall by halves: deep trees, and none too deep", "[
         const Hierarchy tree = build_hierarchy(boxes, {.method = method, .most = 1, .costs = {0.01, 1}});
         INFO("400 spheres of which each is half as large as the one before it, method "
              << static_cast<int>(method) << ": what the contract says of the tree");
-        CHECK(is_right(tree, boxes, 1));
+        REQUIRE(is_right(tree, boxes, 1));
         Random random(1341);
         Mailbox mailbox;
         int wrong = 0;
@@ -169,7 +169,7 @@ TEST_CASE("a tree that was fitted to moved shapes finds what is right", "[13.11]
             const Hierarchy tree =
                 refit(build_hierarchy(before, {.method = SplitMethod::Halves, .most = 2}), boxes, distortion);
             INFO("seed " << seed + k << " of " << family.name << ": what the contract says of the tree");
-            CHECK(is_right(tree, boxes, 2));
+            REQUIRE(is_right(tree, boxes, 2));
             add(verdict,
                 judge_nearest(scene, tree,
                               make_questions(scene, static_cast<std::size_t>(cases(300)), seed + k)));

@@ -4,6 +4,7 @@
 #include "chapters/13_hierarchies/build.hpp"
 #include "chapters/13_hierarchies/walk.hpp"
 #include "tests/show.hpp"
+#include "tests/support.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -175,6 +176,16 @@ inline std::string fault_of(const Hierarchy& tree, std::span<const Bounds> boxes
 inline Told is_right(const Hierarchy& tree, std::span<const Bounds> boxes, std::size_t most = 16) {
     const std::string fault = fault_of(tree, boxes, most);
     return or_say(fault.empty(), fault);
+}
+
+/// Boxes of all sizes up to 1 between -10 and 11.
+inline std::vector<Bounds> random_boxes(Random& random, std::size_t count) {
+    std::vector<Bounds> boxes;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 low = Real(10) * random.in_cube();
+        boxes.push_back({low, low + glm::abs(random.in_cube())});
+    }
+    return boxes;
 }
 
 /// What is counted while `action` runs.

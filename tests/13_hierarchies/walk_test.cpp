@@ -90,6 +90,14 @@ TEST_CASE("a child counts only within the range, and for the part in it", "[13.1
     check_children(tree, 0, along, {0, 3}, {{1, {1, 2}}, {2, {3, 3}}});
 }
 
+TEST_CASE("it is the entry that counts, not where a box ends or how large it is", "[13.1]") {
+    const Hierarchy tree =
+        tree_of({inner_node(part_of_row(0, 9), 1), leaf(part_of_row(0, 9), 0), leaf(cube_at(4), 1)});
+    INFO("node 1 reaches from x = 0 to 9, node 2 from x = 4 to 5, inside of it");
+    check_children(tree, 0, {{-1, 0.5, 0.5}, {1, 0, 0}}, ahead, {{1, {1, 10}}, {2, {5, 6}}});
+    check_children(tree, 0, {{10, 0.5, 0.5}, {-1, 0, 0}}, ahead, {{1, {1, 10}}, {2, {5, 6}}});
+}
+
 TEST_CASE("of two children that the ray enters at once the first comes first", "[13.1]") {
     const Bounds tall{{0, 0, 0}, {1, 5, 1}};
     const Hierarchy tree = tree_of({inner_node(tall, 1), leaf(tall, 0), leaf(cube_at(0), 1)});
@@ -100,14 +108,6 @@ TEST_CASE("of two children that the ray enters at once the first comes first", "
     const Hierarchy other = tree_of({inner_node(tall, 1), leaf(cube_at(0), 0), leaf(tall, 1)});
     INFO("the other way round: node 1 is the cube, node 2 the tower");
     check_children(other, 0, {{0.5, 0.5, 0.5}, {0, 1, 0}}, ahead, {{1, {0, 0.5}}, {2, {0, 4.5}}});
-}
-
-TEST_CASE("it is the entry that counts, not where a box ends or how large it is", "[13.1]") {
-    const Hierarchy tree =
-        tree_of({inner_node(part_of_row(0, 9), 1), leaf(part_of_row(0, 9), 0), leaf(cube_at(4), 1)});
-    INFO("node 1 reaches from x = 0 to 9, node 2 from x = 4 to 5, inside of it");
-    check_children(tree, 0, {{-1, 0.5, 0.5}, {1, 0, 0}}, ahead, {{1, {1, 10}}, {2, {5, 6}}});
-    check_children(tree, 0, {{10, 0.5, 0.5}, {-1, 0, 0}}, ahead, {{1, {1, 10}}, {2, {5, 6}}});
 }
 
 TEST_CASE("the children are those of the node that was asked about", "[13.1]") {
@@ -139,6 +139,7 @@ TEST_CASE("all leaves on the way are asked, the nearest first", "[13.2]") {
     check({{3.5, 0.5, -1}, {0, 0, 1}}, ahead, {}, 1);
     check({{3.5, 5, -1}, {0, 0, 1}}, ahead, {}, 0);
     check({{-1, 0.5, 0.5}, {1, 0, 0}}, {0, 4.5}, {0, 1}, 4);
+    check({{-1, 0.5, 0.5}, {1, 0, 0}}, {0, 6.5}, {0, 1, 2}, 6);
     check({{-1, 0.5, 0.5}, {1, 0, 0}}, {4.5, infinity}, {2, 3}, 4);
 }
 
@@ -168,14 +169,16 @@ TEST_CASE("what begins beyond the nearest hit so far is passed over", "[13.2]") 
 TEST_CASE("what begins just at the nearest hit is asked: it may be as near, and have a lower number",
           "[13.2]") {
     const Hierarchy tree = row_of_four();
-    for (const Real end : {3.0, 5.0, 7.0}) {
-        const Asking asked =
-            asking(tree, {{-1, 0.5, 0.5}, {1, 0, 0}}, ahead, [&](std::uint32_t) { return end; });
-        INFO(four_in_words << "; the ray comes into the boxes of shapes 0, 1, 2, 3 at t = 1, 3, 5, 7, and "
-                              "each shape says that something was found at t = "
-                           << end << ": how many shapes are asked");
-        CHECK(asked.shapes.size() == static_cast<std::size_t>((end + 1) / 2));
+    const Ray ray{{-1, 0.5, 0.5}, {1, 0, 0}};
+    INFO(four_in_words << "; a hit is found exactly where the ray comes into a box, to the last digit");
+    {
+        const Real end = children_met(tree, 1, ray, ahead).visits[1].t.min;
+        INFO("where it comes into the second leaf: which shapes are asked");
+        CHECK(same_order(asking(tree, ray, ahead, [=](std::uint32_t) { return end; }).shapes, {0, 1}));
     }
+    const Real end = children_met(tree, 0, ray, ahead).visits[1].t.min;
+    INFO("where it comes into the second pair, and so into the third leaf: which shapes are asked");
+    CHECK(same_order(asking(tree, ray, ahead, [=](std::uint32_t) { return end; }).shapes, {0, 1, 2}));
 }
 
 TEST_CASE("a hit behind the beginning of another box does not hide what is in that", "[13.2]") {

@@ -14,6 +14,7 @@
 #include "chapters/10_surfaces/quadric.hpp"
 #include "chapters/10_surfaces/torus.hpp"
 #include "tests/stability/grids.hpp"
+#include "tests/stability/hierarchies.hpp"
 #include "tests/stability/leaving.hpp"
 #include "tests/stability/naive.hpp"
 #include "tests/stability/optics.hpp"
@@ -430,6 +431,49 @@ void add_grids(std::vector<Task>& tasks, std::size_t cases) {
                          }});
 }
 
+/// What a search answers that passes over nodes that are entered just at the nearest hit so far, and whose
+/// boxes have no margin; it knows triangles only.
+Verdict judge_without_margin(const GridScene& scene, const Hierarchy& tree,
+                             std::span<const GridQuestion> questions) {
+    Verdict verdict;
+    const auto* triangles = std::get_if<std::vector<Triangle>>(&scene.shapes);
+    if (!triangles) return verdict;
+    for (const GridQuestion& question : questions) {
+        const OptionalHit right = nearest_of_all(scene, question);
+        const OptionalHit answer = naive::closest_hit(tree, *triangles, question.ray, question.range);
+        ++verdict.cases;
+        verdict.mismatches +=
+            right.has_value() != answer.has_value() || (right && right->primitive != answer->primitive);
+    }
+    return verdict;
+}
+
+void add_hierarchies(std::vector<Task>& tasks, std::size_t cases) {
+    for (const GridFamily& family : grid_families())
+        tasks.push_back({{"13",
+                          "nearest hit by a hierarchy, to the bit",
+                          family.name,
+                          family.extremes,
+                          "",
+                          "no margin, and equal distances passed over",
+                          {},
+                          {}},
+                         cases / grid_families().size(),
+                         20 * rays_a_scene,
+                         [&family](std::size_t count, std::uint64_t seed, Verdict& right, Verdict* wrong) {
+                             for (std::size_t first = 0; first < count; first += rays_a_scene) {
+                                 const std::uint64_t own = 1000 * seed + first / rays_a_scene;
+                                 const GridScene scene = make_scene_of_trees(family, own);
+                                 test::Random random(own);
+                                 const Hierarchy tree = hierarchy_over(scene.shapes, some_options(random));
+                                 const auto questions =
+                                     make_questions(scene, std::min(rays_a_scene, count - first), own);
+                                 add(right, judge_nearest(scene, tree, questions));
+                                 if (wrong) add(*wrong, judge_without_margin(scene, tree, questions));
+                             }
+                         }});
+}
+
 template <class Shape>
 void add_solids(std::vector<Task>& tasks, std::size_t cases, const char* what, const char* demand,
                 const char* textbook, std::span<const SolidFamily<Shape>> families) {
@@ -551,6 +595,7 @@ std::vector<FamilyRow> measure_families(const FamiliesOptions& options, const To
     add_shadows(tasks, options.aimed);
     add_optics(tasks, options.judged);
     add_grids(tasks, options.aimed);
+    add_hierarchies(tasks, options.aimed);
     add_surfaces(tasks, options.judged);
 
     std::vector<FamilyRow> rows;

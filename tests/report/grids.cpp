@@ -13,31 +13,6 @@
 namespace rt::report {
 namespace {
 
-/// A ball with dents, of radius about 1: a cube's faces in n × n squares of two triangles, blown up.
-std::vector<Triangle> bumpy_ball(int n) {
-    const auto on_ball = [&](int face, int i, int j) {
-        const Real a = 2.0 * i / n - 1, b = 2.0 * j / n - 1, side = face % 2 == 0 ? 1 : -1;
-        Vec3 p(0);
-        const int axis = face / 2;
-        p[axis] = side;
-        p[(axis + 1) % 3] = a * side;
-        p[(axis + 2) % 3] = b;
-        p = normalize(p);
-        return p * (1 + 0.08 * std::sin(7 * p.x + 1) * std::sin(9 * p.y + 2) * std::sin(8 * p.z + 3));
-    };
-    std::vector<Triangle> triangles;
-    triangles.reserve(12 * static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
-    for (int face = 0; face < 6; ++face)
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j) {
-                const Vec3 p = on_ball(face, i, j), q = on_ball(face, i + 1, j);
-                const Vec3 r = on_ball(face, i + 1, j + 1), s = on_ball(face, i, j + 1);
-                triangles.push_back({p, q, r});
-                triangles.push_back({p, r, s});
-            }
-    return triangles;
-}
-
 /// From a sphere of radius 3 towards points in a cube around the ball: two in three hit it.
 std::vector<Ray> rays_at_ball(std::size_t count) {
     test::Random random(9);
@@ -114,6 +89,30 @@ GridPoint measure(double size, const GridsOptions& options) {
 }
 
 }  // namespace
+
+std::vector<Triangle> bumpy_ball(int n) {
+    const auto on_ball = [&](int face, int i, int j) {
+        const Real a = 2.0 * i / n - 1, b = 2.0 * j / n - 1, side = face % 2 == 0 ? 1 : -1;
+        Vec3 p(0);
+        const int axis = face / 2;
+        p[axis] = side;
+        p[(axis + 1) % 3] = a * side;
+        p[(axis + 2) % 3] = b;
+        p = normalize(p);
+        return p * (1 + 0.08 * std::sin(7 * p.x + 1) * std::sin(9 * p.y + 2) * std::sin(8 * p.z + 3));
+    };
+    std::vector<Triangle> triangles;
+    triangles.reserve(12 * static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+    for (int face = 0; face < 6; ++face)
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                const Vec3 p = on_ball(face, i, j), q = on_ball(face, i + 1, j);
+                const Vec3 r = on_ball(face, i + 1, j + 1), s = on_ball(face, i, j + 1);
+                triangles.push_back({p, q, r});
+                triangles.push_back({p, r, s});
+            }
+    return triangles;
+}
 
 GridsOptions quick_grids() { return {{1e3, 3e3, 1e4, 3e4, 1e5}, 20'000, 5e6, 3}; }
 

@@ -2,8 +2,12 @@
 // asking every triangle.
 #pragma once
 
+#include "common/math/ray.hpp"
+#include "common/scene/shapes.hpp"
 #include "tests/report/kernels.hpp"
 #include "tests/report/statistics.hpp"
+
+#include <vector>
 
 namespace rt::report {
 
@@ -35,6 +39,10 @@ struct GridsOptions {
 
 /// What `course report --quick` measures.
 GridsOptions quick_grids();
+
+/// A ball with dents, of radius about 1, around the origin: a cube's faces in n × n squares of two triangles,
+/// blown up.
+std::vector<Triangle> bumpy_ball(int n);
 
 Grids measure_grids(const GridsOptions& options = {}, const Told& told = {});
 

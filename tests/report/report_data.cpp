@@ -1,5 +1,6 @@
 // Program `report_data`: measures what `course report` shows, and writes it as JSON.
-//   report_data [--quick] -o FILE [kernels] [pictures] [filters] [blurs] [povray] [grids] [stability]
+//   report_data [--quick] -o FILE [kernels] [pictures] [filters] [blurs] [povray] [grids] [searches]
+//   [stability]
 #include "common/image/file.hpp"
 #include "common/math/stopwatch.hpp"
 #include "common/terminal/console.hpp"
@@ -7,6 +8,7 @@
 #include "tests/report/families.hpp"
 #include "tests/report/filters.hpp"
 #include "tests/report/grids.hpp"
+#include "tests/report/hierarchies.hpp"
 #include "tests/report/kernels.hpp"
 #include "tests/report/pictures.hpp"
 #include "tests/report/povray_times.hpp"
@@ -123,6 +125,25 @@ Json to_json(const Grids& grids) {
             {"break_even", to_json(grids.break_even)}};
 }
 
+Json to_json(const std::vector<SearchPoint>& points) {
+    Json list = Json::array();
+    for (const SearchPoint& point : points)
+        list.push_back({{"scene", point.scene},
+                        {"way", point.way},
+                        {"triangles", point.triangles},
+                        {"build_seconds", point.build_seconds},
+                        {"ns", point.ns},
+                        {"nodes", point.nodes},
+                        {"asked", point.asked},
+                        {"bytes", point.bytes},
+                        {"break_even", point.break_even},
+                        {"predicted", point.predicted},
+                        {"paid", point.paid},
+                        {"compared", point.compared},
+                        {"different", point.different}});
+    return list;
+}
+
 Json to_json(const stability::Verdict& verdict) {
     return {{"cases", verdict.cases},           {"undecided", verdict.undecided},
             {"wrong", verdict.mismatches},      {"worst", number(verdict.worst)},
@@ -164,7 +185,7 @@ int run(std::vector<std::string> arguments) {
     if (option == arguments.end() || option + 1 == arguments.end()) {
         fmt::print(stderr,
                    "report_data: expected [--quick] -o FILE [kernels] [pictures] [filters] [blurs] "
-                   "[povray] [grids] [stability]\n");
+                   "[povray] [grids] [searches] [stability]\n");
         return 2;
     }
     const std::string file = *(option + 1);
@@ -198,6 +219,10 @@ int run(std::vector<std::string> arguments) {
     if (take("grids"))
         measure(data, "grids", "grids", [&](const Told& told) {
             return measure_grids(quick ? quick_grids() : GridsOptions{}, told);
+        });
+    if (take("searches"))
+        measure(data, "searches", "searches", [&](const Told& told) {
+            return measure_searches(quick ? quick_searches() : SearchesOptions{}, told);
         });
     if (take("stability"))
         measure(data, "stability", "stability", [&](const Told& told) {

@@ -1,5 +1,5 @@
-// What is found by hierarchies that the chapter's own code builds: the same as by asking all, with few
-// questions.
+// Whole hierarchies that the chapter's own code builds, and what is found by them: the same as by asking all,
+// with few questions.
 #include "chapters/02_spheres/sphere.hpp"
 #include "chapters/03_triangles/triangle.hpp"
 #include "tests/13_hierarchies/trees.hpp"
@@ -12,6 +12,13 @@ using namespace rt;
 using namespace rt::test;
 
 namespace {
+
+template <class Shape>
+std::vector<Bounds> boxes_of(const std::vector<Shape>& shapes) {
+    std::vector<Bounds> boxes;
+    for (const Shape& shape : shapes) boxes.push_back(bounds_of(shape));
+    return boxes;
+}
 
 /// A ball of small triangles on a large floor.
 std::vector<Triangle> ball_in_stadium() {
@@ -42,6 +49,8 @@ std::vector<Ray> rays_at_ball(int count) {
 /// Shapes asked by the rays on their way to their nearest hits; and checks that these are right.
 std::uint64_t asked_on_the_way(const Hierarchy& tree, const std::vector<Triangle>& triangles,
                                const std::vector<Ray>& rays) {
+    INFO("before any ray is traced: what the contract says of nodes, boxes and shapes");
+    REQUIRE(is_right(tree, boxes_of(triangles)));
     Mailbox mailbox;
     std::uint64_t asked = 0, wrong = 0;
     for (const Ray& ray : rays) {
@@ -55,6 +64,10 @@ std::uint64_t asked_on_the_way(const Hierarchy& tree, const std::vector<Triangle
 }
 
 void check_row(const Hierarchy& tree, const std::vector<Sphere>& spheres) {
+    {
+        INFO("before any ray is traced: what the contract says of nodes, boxes and shapes");
+        REQUIRE(is_right(tree, boxes_of(spheres)));
+    }
     Mailbox mailbox;
     const auto check = [&](const Ray& ray, std::optional<Hit> expected) {
         INFO("spheres of radius 0.4 at 0, 1, ... 99 on the x axis; " << ray << ": what is hit");
@@ -78,6 +91,9 @@ std::vector<Sphere> row_of_spheres() {
     return spheres;
 }
 
+/// Names of methods, in the order of SplitMethod.
+constexpr const char* method_names[] = {"halves", "sweep", "bins", "codes"};
+
 }  // namespace
 
 TEST_CASE("the nearest of a row of spheres, by halves", "[13.4]") {
@@ -88,6 +104,7 @@ TEST_CASE("the nearest of a row of spheres, by halves", "[13.4]") {
 TEST_CASE("a ray across a row of spheres asks few of them", "[13.4]") {
     const std::vector<Sphere> spheres = row_of_spheres();
     const Hierarchy tree = build_hierarchy(spheres, {.method = SplitMethod::Halves, .most = 1});
+    REQUIRE(is_right(tree, boxes_of(spheres), 1));
     Mailbox mailbox;
     const SearchCounts counts = counted([&] {
         closest_hit(tree, spheres, {{70, -3, 0}, {0, 1, 0}}, ahead, mailbox);
@@ -105,6 +122,34 @@ TEST_CASE("a ball in a stadium, by halves", "[13.4]") {
     INFO("2306 triangles and " << rays.size() << " rays: how many triangles a ray asks on average");
     const std::uint64_t asked = asked_on_the_way(tree, triangles, rays);
     CHECK(static_cast<Real>(asked) / static_cast<Real>(rays.size()) < 60);
+}
+
+TEST_CASE("a tree by bins parts the teapot from the stadium", "[13.10]") {
+    // Sixteen small cubes in a corner and two walls far away.
+    std::vector<Bounds> boxes{{{-100, 0, 0}, {-99, 50, 50}}, {{99, 0, 0}, {100, 50, 50}}};
+    for (int k = 0; k < 16; ++k)
+        boxes.push_back({{k % 4 * 2, k / 4 * 2, 0}, {k % 4 * 2 + 1, k / 4 * 2 + 1, 1}});
+    const Hierarchy tree = build_hierarchy(boxes);
+    INFO("walls at x = -100 and 100, and between them 16 cubes: what the contract says of the tree");
+    CHECK(is_right(tree, boxes));
+    INFO("how deep the tree is, by bins: each wall is parted from the cubes, and these are parted further");
+    CHECK(depth_of(tree) >= 3);
+    const Real by_halves = predicted_cost(build_hierarchy(boxes, {.method = SplitMethod::Halves, .most = 1}));
+    INFO("the predicted cost by bins, which is less than by halves, " << by_halves);
+    CHECK(predicted_cost(tree) < by_halves);
+}
+
+TEST_CASE("every method makes a right tree of random boxes", "[13.10]") {
+    Random random(1310);
+    for (const SplitMethod method : {SplitMethod::Halves, SplitMethod::Sweep, SplitMethod::Bins})
+        for (const std::size_t most : {1u, 8u}) {
+            const std::vector<Bounds> boxes = random_boxes(random, 200);
+            const Hierarchy tree = build_hierarchy(boxes, {.method = method, .most = most});
+            INFO("200 random boxes by " << method_names[static_cast<std::size_t>(method)] << ", at most "
+                                        << most
+                                        << " in a leaf: what the contract says of nodes, boxes and shapes");
+            CHECK(is_right(tree, boxes, most));
+        }
 }
 
 TEST_CASE("the nearest of a row of spheres, by bins", "[13.10]") {
@@ -130,20 +175,12 @@ TEST_CASE("a ball in a stadium, by bins: no more questions than by halves", "[13
 
 TEST_CASE("what a tree that was fitted to moved shapes finds", "[13.11]") {
     std::vector<Sphere> spheres = row_of_spheres();
-    Hierarchy tree = plain_tree([&] {
-        std::vector<Bounds> boxes;
-        for (const Sphere& sphere : spheres) boxes.push_back(bounds_of(sphere));
-        return boxes;
-    }());
+    Hierarchy tree = plain_tree(boxes_of(spheres));
     Random random(1331);
     Mailbox mailbox;
     for (int frame = 0; frame < 3; ++frame) {
-        std::vector<Bounds> boxes;
-        for (Sphere& sphere : spheres) {
-            sphere.center += Real(5) * random.in_cube();
-            boxes.push_back(bounds_of(sphere));
-        }
-        tree = refit(tree, boxes);
+        for (Sphere& sphere : spheres) sphere.center += Real(5) * random.in_cube();
+        tree = refit(tree, boxes_of(spheres));
         for (int k = 0; k < cases(100); ++k) {
             const Ray ray = towards(random, spheres[random.index(100)].center + random.in_cube(), 30);
             INFO("100 spheres that have moved "
