@@ -1,65 +1,28 @@
 // Draws the figures of lesson 9 into the directory that it is given.
 // Boxes, cells and counts in them are those of the course's own functions.
-#include "references/figures.hpp"
 #include "chapters/01_ray_casting/camera.hpp"
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/09_grids/walk.hpp"
 #include "common/math/random.hpp"
-#include "common/math/stopwatch.hpp"
-#include "references/09_grids/teapot.hpp"
+#include "references/09_grids/teapots.hpp"
+#include "references/costs.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <functional>
 
 using namespace rt;
 using namespace rt::figures;
+using teapot::rays_around;
+using teapot::teapot_of;
 
 namespace {
-
-/// Words that can be read when the figure is shown at half its size.
-const SvgFont label{.size = 15};
-const SvgFont remark{.size = 15, .color = "#666666"};
 
 /// Numbers of the lesson that have no figure of their own: what each is, and its value.
 std::string numbers = "name,value\n";
 template <class Value>
 void note_number(const std::string& name, const Value& value) {
     numbers += fmt::format("{},{}\n", name, value);
-}
-
-// Curves ------------------------------------------------------------------------------------------------
-
-/// Lines and words at the powers of ten, and what the axes show.
-void draw_axes(Svg& svg, const Plot& plot, const std::string& x_words, const std::string& y_words) {
-    const auto ticks = [](const Axis& axis) {
-        return decades(static_cast<int>(std::ceil(std::log10(axis.low))),
-                       static_cast<int>(std::floor(std::log10(axis.high))));
-    };
-    draw_axes(svg, plot, ticks(plot.x), ticks(plot.y));
-    text(svg, plot.corner + Vec2(plot.size.x / 2, plot.size.y + 42), x_words, middle(SvgFont{.size = 16}));
-    text(svg, plot.corner + Vec2(0, -12), y_words, {.size = 16});
-}
-
-void draw_curve(Svg& svg, const Plot& plot, const std::vector<Vec2>& curve, const char* color,
-                const std::string& dash = "") {
-    std::vector<Vec2> places;
-    for (const Vec2& p : curve) places.push_back(plot.place(p.x, p.y));
-    polyline(svg, places, {.stroke = color, .width = 2.2, .dash = dash});
-    for (const Vec2& p : places) dot_at(svg, p, color, 3.2);
-}
-
-/// Slope of the straight line through log y over log x, by least squares.
-Real exponent(const std::vector<Vec2>& curve) {
-    Real mx = 0, my = 0, xx = 0, xy = 0;
-    for (const Vec2& p : curve) mx += std::log(p.x), my += std::log(p.y);
-    mx /= static_cast<Real>(curve.size()), my /= static_cast<Real>(curve.size());
-    for (const Vec2& p : curve) {
-        const Real dx = std::log(p.x) - mx;
-        xx += dx * dx, xy += dx * (std::log(p.y) - my);
-    }
-    return xy / xx;
 }
 
 // The slab test -----------------------------------------------------------------------------------------
@@ -311,65 +274,6 @@ void draw_behind(const Path& directory) {
 
 // Teapots -----------------------------------------------------------------------------------------------
 
-/// Colours for counts: 1, 2, 5, 10, 20, 50, ... and what is below.
-constexpr std::array<const char*, 16> heat_colors{
-    "#ffffff", "#f4f1d6", "#fbe6a2", "#fdd379", "#fdb75f", "#f9934e", "#ee6a45", "#d94a4a",
-    "#bd3356", "#9a2a63", "#77256a", "#572069", "#3b1a60", "#24144f", "#130e38", "#050414"};
-
-std::size_t heat_class(Real count) {
-    constexpr std::array<Real, 15> bounds{1,   2,    5,    10,   20,     50,     100,   200,
-                                          500, 1000, 2000, 5000, 10'000, 20'000, 50'000};
-    std::size_t i = 0;
-    while (i < bounds.size() && count >= bounds[i]) ++i;
-    return i;
-}
-
-Vec3 heat(Real count) {
-    const std::string hex = heat_colors[heat_class(count)];
-    Vec3 color;
-    for (int i = 0; i < 3; ++i)
-        color[i] = decode(std::stoi(hex.substr(1 + 2 * static_cast<std::size_t>(i), 2), nullptr, 16) / 255.0,
-                          Encoding::Srgb);
-    return color;
-}
-
-void draw_heat_scale(const Path& directory) {
-    Svg svg{.width = 700, .height = 52};
-    const std::array<const char*, 16> words{"0",   "1",   "2",  "5",  "10", "20",  "50",  "100",
-                                            "200", "500", "1k", "2k", "5k", "10k", "20k", "50k"};
-    for (std::size_t i = 0; i < 16; ++i) {
-        const Vec2 corner(14 + 42 * static_cast<Real>(i), 6);
-        rectangle(svg, corner, {42, 20}, {.stroke = grey, .width = 0.5, .fill = heat_colors[i]});
-        text(svg, corner + Vec2(i == 0 ? 21 : 0, 38), words[i], middle(SvgFont{.size = 16}));
-    }
-    write_svg(directory / "heat_scale.svg", svg);
-}
-
-std::vector<Triangle> teapot_of(int fineness) {
-    const Mesh mesh = teapot::tessellate(fineness);
-    std::vector<Triangle> triangles;
-    const auto at = [&](const Mesh::Corner& corner) {
-        return mesh.positions[static_cast<std::size_t>(corner.position)];
-    };
-    for (const auto& [a, b, c] : mesh.triangles) triangles.push_back({at(a), at(b), at(c)});
-    return triangles;
-}
-
-std::vector<Triangle> triangles_of(const World& world) {
-    for (const AnyGroup& group : world.groups)
-        if (const auto* triangles = std::get_if<Group<Triangle>>(&group)) return triangles->shapes;
-    return {};
-}
-
-/// What one ray costs.
-SearchCounts cost(const Grid& grid, const std::vector<Triangle>& triangles, const Ray& ray,
-                  Mailbox& mailbox) {
-    const SearchCounts before = search_counts();
-    closest_hit(grid, triangles, ray, {0, infinity}, mailbox);
-    const SearchCounts after = search_counts();
-    return {after.cells - before.cells, after.shapes - before.shapes};
-}
-
 /// Cells of the grid and of those in it, entries in their lists, the longest list, and how many grids.
 struct Inventory {
     std::size_t grids = 0, cells = 0, items = 0, longest = 0;
@@ -427,7 +331,7 @@ Image cut(const Grid& grid) {
 void draw_stadium(const Path& directory) {
     const int width = 256, height = 192;
     const World world = compile(scene_beside(__FILE__, "stadium", width, height));
-    const std::vector<Triangle> triangles = triangles_of(world);
+    const std::vector<Triangle> triangles = shapes_of<Triangle>(world);
     std::string csv =
         "accelerator,grids,cells,entries,longest list,bytes a triangle,triangles asked a ray,most asked,"
         "cells entered a ray,most entered\n";
@@ -508,36 +412,6 @@ void measure_scenes(const Path& directory) {
 }
 
 // Cost as the scene grows -------------------------------------------------------------------------------
-
-/// Rays from a sphere around the teapot towards points of its box.
-std::vector<Ray> rays_around(std::size_t count) {
-    std::vector<Ray> rays;
-    Random random = random_for(9, 1, 0);
-    const auto in_box = [&](const Vec3& middle, const Vec3& half) {
-        Vec3 p;
-        for (int i = 0; i < 3; ++i) p[i] = middle[i] + (2 * random_real(random) - 1) * half[i];
-        return p;
-    };
-    const Vec3 middle(0.2, 1.575, 0), half(3.2, 1.575, 2);
-    while (rays.size() < count) {
-        const Vec3 out = in_box(Vec3(0), Vec3(1));
-        if (dot(out, out) > 1 || dot(out, out) < 0.01) continue;
-        const Vec3 origin = middle + Real(8) * normalize(out);
-        rays.push_back({origin, in_box(middle, half) - origin});
-    }
-    return rays;
-}
-
-/// The least of three times: other programs can only make it longer.
-double seconds_of(const std::function<void()>& work) {
-    double least = infinity;
-    for (int i = 0; i < 3; ++i) {
-        const Stopwatch watch;
-        work();
-        least = std::min(least, watch.seconds());
-    }
-    return least;
-}
 
 /// Entries in the lists on the way to the hit: what would be asked without mailboxes.
 std::uint64_t entries_met(const Grid& grid, const std::vector<Triangle>& triangles, const Ray& ray,
@@ -780,7 +654,7 @@ void draw_hierarchies(const Path& directory) {
     std::vector<Ray> camera;
     for (int y = 0; y < 192; ++y)
         for (int x = 0; x < 256; ++x) camera.push_back(pixel_ray(stadium.view, x + 0.5, y + 0.5));
-    measure("stadium", triangles_of(stadium), camera);
+    measure("stadium", shapes_of<Triangle>(stadium), camera);
     write_file(directory / "hierarchies.csv", csv);
 
     Svg svg{.width = 700, .height = 380};
