@@ -1,5 +1,10 @@
 // Bounding volumes on extreme clouds and rays, against exact arithmetic and bounds that nothing can beat; and
 // trees of them against asking every shape, to the bit.
+#include "chapters/02_spheres/sphere.hpp"
+#include "chapters/03_triangles/polygon.hpp"
+#include "chapters/03_triangles/triangle.hpp"
+#include "chapters/04_transforms/instance.hpp"
+#include "chapters/04_transforms/transform.hpp"
 #include "chapters/13_hierarchies/build.hpp"
 #include "common/math/error.hpp"
 #include "tests/catch.hpp"
