@@ -15,6 +15,7 @@
 #include "chapters/10_surfaces/torus.hpp"
 #include "chapters/13_hierarchies/split.hpp"
 #include "chapters/13_hierarchies/walk.hpp"
+#include "common/world/bounding_volumes.hpp"
 #include "common/world/world.hpp"
 
 #include <charconv>
@@ -202,6 +203,18 @@ std::string show(Operation operation) {
 inline std::string show(const Transform& transform) { return "transform" + show(transform.to_world); }
 
 inline std::string show(const Bounds& bounds) { return show(Box{bounds.low, bounds.high}); }
+
+inline std::string show(const BoundingSphere& sphere) { return show(Sphere{sphere.center, sphere.radius}); }
+
+inline std::string show(const OrientedBox& box) {
+    return "box around " + show(box.center) + " of halves " + show(box.half) + " along " + show(box.axes[0]) +
+           ", " + show(box.axes[1]) + ", " + show(box.axes[2]);
+}
+
+inline std::string show(const BoundingEllipsoid& ellipsoid) {
+    return "ellipsoid around " + show(ellipsoid.center) + ", longest " + show(ellipsoid.longest) +
+           ", to the unit sphere by" + show(ellipsoid.to_unit);
+}
 
 inline std::string show(const Spin& spin) {
     return "spin by " + show(spin.angle) + " about the line through " + show(spin.center) + " along " +

@@ -42,6 +42,14 @@ Grid build_over(const Boxed<Shape>& boxed, GridOptions options, Real most = infi
     }
 }
 
+/// The points that the shapes are between.
+template <class Shape>
+ShapePoints points_of(const Boxed<Shape>& boxed) {
+    ShapePoints points;
+    for (std::size_t i = 0; i < boxed.size(); ++i) add_points(points, boxed.shapes[i], boxed.bounds[i]);
+    return points;
+}
+
 /// A picture's rays, as far as they are known before it is rendered.
 struct Rays {
     Real count = 0;  ///< of all kinds
@@ -192,6 +200,15 @@ struct AcceleratorBuilder {
                 return build_over(boxed, options);
             case AcceleratorChoice::Bvh:
                 return build_hierarchy(boxed.bounds, {.distortion = boxed.distortion});
+            case AcceleratorChoice::Spheres:
+                return sphere_tree(build_hierarchy(boxed.bounds, {.distortion = boxed.distortion}),
+                                   points_of(boxed));
+            case AcceleratorChoice::OrientedBoxes:
+                return oriented_box_tree(build_hierarchy(boxed.bounds, {.distortion = boxed.distortion}),
+                                         points_of(boxed));
+            case AcceleratorChoice::Ellipsoids:
+                return ellipsoid_tree(build_hierarchy(boxed.bounds, {.distortion = boxed.distortion}),
+                                      points_of(boxed));
         }
         return {};
     }

@@ -7,6 +7,8 @@
 #include "common/render/moving.hpp"
 #include "common/world/query.hpp"
 
+#include <concepts>
+#include <variant>
 #include <vector>
 
 namespace rt {
@@ -39,26 +41,31 @@ constexpr bool has_bounds() {
     return is_given && !words<Shape>.is_endless;
 }
 
+// Whichever accelerator it is: there is one search for each kind of shape, and not one for each pair of a
+// kind and an accelerator.
+template <class Any>
+requires std::same_as<Any, Accelerator>
+bool serves(const Any& any, const Ray& ray) {
+    return std::visit([&](const auto& accelerator) { return serves(accelerator, ray); }, any);
+}
+template <class Any>
+requires std::same_as<Any, Accelerator>
+void search(const Any& any, const Ray& ray, Interval range, const Ask& ask) {
+    std::visit([&](const auto& accelerator) { search(accelerator, ray, range, ask); }, any);
+}
+
 // What is asked of an accelerator is kept out of the functions that ask, which else would save registers for
 // it always.
 template <class Shape>
 [[gnu::noinline]] std::optional<Hit> closest_by_accelerator(const Group<Shape>& group, const Ray& ray,
                                                             Interval range) {
-    return std::visit(
-        [&](const auto& accelerator) {
-            return closest_hit(accelerator, std::span<const Shape>(group.shapes), ray, range,
-                               mailbox_of(group.mailbox));
-        },
-        group.accelerator);
+    return closest_hit(group.accelerator, std::span<const Shape>(group.shapes), ray, range,
+                       mailbox_of(group.mailbox));
 }
 template <class Shape>
 [[gnu::noinline]] bool any_by_accelerator(const Group<Shape>& group, const Ray& ray, Interval range) {
-    return std::visit(
-        [&](const auto& accelerator) {
-            return any_hit(accelerator, std::span<const Shape>(group.shapes), ray, range,
-                           mailbox_of(group.mailbox));
-        },
-        group.accelerator);
+    return any_hit(group.accelerator, std::span<const Shape>(group.shapes), ray, range,
+                   mailbox_of(group.mailbox));
 }
 
 /// Nearest hit with the group's shapes; `Hit::primitive` is the index into the group.
@@ -79,11 +86,7 @@ bool any_in(const Group<Shape>& group, const Ray& ray, Interval range) {
 /// `Hit::primitive` is the index into the group.
 template <class Shape>
 void append_in(const Group<Shape>& group, const Ray& ray, Interval range, std::vector<Hit>& hits) {
-    std::visit(
-        [&](const auto& accelerator) {
-            append_hits(accelerator, shapes_of(group), ray, range, mailbox_of(group.mailbox), hits);
-        },
-        group.accelerator);
+    append_hits(group.accelerator, shapes_of(group), ray, range, mailbox_of(group.mailbox), hits);
 }
 
 // Texture coordinates: `has_uv` says whether a shape has any, `uv_at` what they are at a point of its

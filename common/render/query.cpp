@@ -130,12 +130,8 @@ bool occluded(const SharedMesh& mesh, const Ray& local, Interval range) {
 std::vector<Hit> all_hits(const SharedMesh& mesh, const Ray& local) {
     std::vector<Hit> hits;
     const Group<Triangle>& triangles = mesh.triangles;
-    std::visit(
-        [&](const auto& accelerator) {
-            append_hits(accelerator, std::span<const Triangle>(triangles.shapes), local,
-                        {-infinity, infinity}, mailbox_of(triangles.mailbox), hits);
-        },
-        triangles.accelerator);
+    append_hits(triangles.accelerator, std::span<const Triangle>(triangles.shapes), local,
+                {-infinity, infinity}, mailbox_of(triangles.mailbox), hits);
     return hits;
 }
 

@@ -157,7 +157,6 @@ struct Later {
 };
 
 constexpr Later later[] = {
-    {"accelerator obb", "13"},    {"accelerator spheres", "13"},   {"accelerator ellipsoids", "13"},
     {"accelerator octree", "13"}, {"accelerator kdtree", "13"},    {"accelerator bsp", "13"},
     {"accelerator binary", "13"}, {"integrator pathtracer", "14"}, {"nexteventestimation", "14"},
     {"importancesampling", "14"}, {"russianroulette", "14"},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/math/ray.hpp"
+#include "common/world/bounding_volumes.hpp"
 #include "common/world/grid.hpp"
 #include "common/world/hierarchy.hpp"
 
@@ -22,7 +23,8 @@ struct Nothing {};
 ///   std::string in_words(const A&)                       what messages call it, such as "grid of 2 × 3 × 4
 ///   cells".
 /// What builds it where it pays is common/render/accelerate.cpp.
-using Accelerator = std::variant<Nothing, Grid, Hierarchy>;
+using Accelerator = std::variant<Nothing, Grid, Hierarchy, VolumeTree<BoundingSphere>,
+                                 VolumeTree<OrientedBox>, VolumeTree<BoundingEllipsoid>>;
 
 /// What a search calls on its way: it hands over the numbers of shapes that may be met in a part of the ray,
 /// and gets back how far along the ray it still has to look. That is the nearest hit so far, where another

@@ -9,6 +9,7 @@
 #include "chapters/13_hierarchies/walk.hpp"
 #include "common/math/random.hpp"
 #include "references/09_grids/teapots.hpp"
+#include "references/13_hierarchies/figures_volumes.hpp"
 #include "references/costs.hpp"
 
 #include <fmt/format.h>
@@ -777,6 +778,7 @@ void draw(const Path& directory) {
     draw_predictions(directory);
     draw_motion(directory);
     draw_curve_of_codes(directory);
+    draw_volumes(directory);
     write_file(directory / "numbers.csv", numbers);
     draw_scenes(directory, __FILE__, {"city", "forest", "needles", "swarm"}, 240, 180);
 }
