@@ -34,7 +34,8 @@ Real phong(const Vec3& n, const Vec3& l, const Vec3& v, Real shininess);
 
 /// [05.5] Radiance towards the viewer from one light: visibility · light.color · (diffuse · lambert +
 /// specular · highlight), black where n·l ≤ 0, because then the surface itself is in the way.
-/// `n` is the unit normal turned to the viewer. A material without specular pays for no highlight.
+/// `n` is the unit normal turned to the viewer. Where specular is black, no highlight is computed, and
+/// shininess is not looked at.
 Vec3 reflected_light(const Material& material, const Vec3& n, const Vec3& v, const LightSample& light,
                      const Vec3& visibility);
 

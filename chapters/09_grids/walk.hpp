@@ -11,7 +11,7 @@ namespace rt {
 /// One cell on the way of a ray.
 struct CellVisit {
     Cells cell{0};
-    Interval t;  ///< the part of the ray in the cell
+    Interval t;  ///< the part of the ray in the cell, within the range
 };
 
 /// Where a ray meets the boundaries of the cells along one axis: boundary number i at t = t0 + i · delta.
@@ -37,8 +37,9 @@ int cell_at(const GridShape& shape, const Ray& ray, int axis, const Boundaries& 
 /// [09.11] The cells along the ray in order, from the first that it is in within `range` and the box
 /// (Amanatides & Woo 1987). The boundary number i of an axis is at t₀ + i·Δ, one multiplication and not i
 /// additions; the loop ends at the last cell of an axis, so that it takes at most cells.x + cells.y + cells.z
-/// steps whatever the numbers. The visits' intervals join without gaps, and the place of the ray in each is
-/// in the cell up to the grid's margin.
+/// steps whatever the numbers. The visits' intervals join without gaps, the last one ends where the range
+/// does if the ray is still in the box there, and the place of the ray in each is in the cell up to the
+/// grid's margin.
 std::vector<CellVisit> cells_along(const GridShape& shape, const Ray& ray, Interval range);
 
 /// Whether the grid can tell what the ray may meet: the ray's rounding errors stay below the grid's margin,

@@ -1,4 +1,5 @@
-// What `course check` shows of a chapter: its picture, or one in which a mistake can be seen.
+// What `course check` shows beside its verdict: a picture of the student's, or one in which a mistake is
+// seen.
 #include "common/commands/chapter_pictures.hpp"
 
 #include "common/commands/student_trees.hpp"
@@ -205,43 +206,68 @@ std::string way_on(const Project& project, const Seen& seen) {
                        is_small ? fmt::format(" --size {}x{}", seen.shown.width, seen.shown.height) : "");
 }
 
-}  // namespace
-
-void show_chapter_picture(const Project& project, const Chapter& chapter) {
-    if (chapter.scenes.empty()) return;
-    const fs::path scene = scene_path(project, chapter, chapter.scenes.front());
-    const std::optional<Image> image = drawn(project, chapter, {scene.string()}, picture_seconds);
-    if (!image) return;
-    const fs::path picture =
-        project.build / "pictures" / chapter.name / scene.stem().replace_extension(".png");
-    make_directories(picture.parent_path());
-    write_image(picture, *image, parse_scene(scene).encoding);
-    fmt::print("\nYour picture: {}\n", relative(project, picture));
-
-    const fs::path reference = fs::path(scene).replace_extension(".png");
-    if (!fs::exists(reference)) return;
-    const Comparison comparison = compare(*image, read_image(reference));
-    fmt::print("{:.2f} % of its pixels equal POV-Ray's ({})\n",
-               100 * comparison.within16[static_cast<std::size_t>(gate_steps)], relative(project, reference));
+/// Where a picture of the chapter is written.
+fs::path picture_file(const Project& project, const Chapter& chapter, const std::string& name) {
+    const fs::path file = project.build / "pictures" / chapter.name / (name + ".png");
+    make_directories(file.parent_path());
+    return file;
 }
 
-void show_failed_step(const Project& project, const Chapter& chapter, const ChapterResult& result,
-                      const std::string& step) {
+/// What the student's code draws of a scene or a drawing, written to a file of that name.
+std::optional<VerdictPicture> own_picture(const Project& project, const Chapter& chapter,
+                                          const std::string& what, const std::string& name) {
+    const bool is_scene = what.ends_with(".scene");
+    const fs::path scene = scene_path(project, chapter, what);
+    const std::optional<Image> image =
+        drawn(project, chapter, {is_scene ? scene.string() : what}, picture_seconds);
+    if (!image) return std::nullopt;
+    const fs::path file = picture_file(project, chapter, name);
+    write_image(file, *image, is_scene ? parse_scene(scene).encoding : Encoding::Srgb);
+    VerdictPicture picture{relative(project, file), ""};
+    picture.text = fmt::format("\nYour picture: {}\n", picture.file);
+
+    const fs::path reference = fs::path(scene).replace_extension(".png");
+    if (!is_scene || !fs::exists(reference)) return picture;
+    const Comparison comparison = compare(*image, read_image(reference));
+    picture.text += fmt::format("{} of its pixels equal POV-Ray's ({})\n",
+                                percent(comparison.within16[static_cast<std::size_t>(gate_steps)]),
+                                relative(project, reference));
+    return picture;
+}
+
+}  // namespace
+
+std::optional<VerdictPicture> chapter_picture(const Project& project, const Chapter& chapter) {
+    if (chapter.scenes.empty()) return std::nullopt;
+    const std::string& scene = chapter.scenes.front();
+    return own_picture(project, chapter, scene, fs::path(scene).stem().string());
+}
+
+std::optional<VerdictPicture> picture_of_passed(const Project& project, const Chapter& chapter,
+                                                const Step& step) {
+    if (step.picture.empty()) return std::nullopt;
+    return own_picture(project, chapter, step.picture, step.id);
+}
+
+std::optional<VerdictPicture> picture_of_failed(const Project& project, const Chapter& chapter,
+                                                const ChapterResult& result, const std::string& step) {
     const std::optional<Seen> seen = first_seen(project, chapter, step_of(chapter, step));
-    if (!seen) return;
+    if (!seen) return std::nullopt;
     const std::vector<Image> images{seen->mine, seen->theirs,
                                     difference(seen->mine, seen->theirs, visible_gain(seen->comparison))};
-    const fs::path file = project.build / "pictures" / chapter.name / (step + ".png");
-    make_directories(file.parent_path());
+    const fs::path file = picture_file(project, chapter, step);
     write_image(file, in_a_row(images, std::max(1, 320 / seen->mine.width)));
 
-    fmt::print("\n      {}: yours, the expected one, and the difference\n", relative(project, file));
+    VerdictPicture picture{relative(project, file), ""};
+    picture.text = fmt::format("\n      {}: yours, the expected one, and the difference\n", picture.file);
     if (shows_true_colors()) {
         const TerminalSize terminal = terminal_size(stdout);
-        fmt::print("{}", preview(in_a_row(images, 1), Encoding::Srgb, terminal.columns, terminal.rows - 3));
+        picture.text += preview(in_a_row(images, 1), Encoding::Srgb, terminal.columns, terminal.rows - 3);
     }
-    fmt::print("      at pixel ({}, {}): {}\n{}", seen->comparison.worst_x, seen->comparison.worst_y,
-               worst_in_words(project, chapter, result, *seen), way_on(project, *seen));
+    picture.text +=
+        fmt::format("      at pixel ({}, {}): {}\n{}", seen->comparison.worst_x, seen->comparison.worst_y,
+                    worst_in_words(project, chapter, result, *seen), way_on(project, *seen));
+    return picture;
 }
 
 }  // namespace rt

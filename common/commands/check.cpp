@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace rt {
@@ -103,13 +104,35 @@ void print_chapter(const Chapter& chapter, const ChapterResult& result) {
     fmt::print("{}", notes(result));
 }
 
-/// The picture of a chapter that has passed, or of the first step that has failed.
-void show_pictures(const Project& project, const Chapter& chapter, const ChapterResult& asked,
-                   const ChapterResult& all) {
-    if (all_passed(all)) return show_chapter_picture(project, chapter);
+/// What there is to show: the first step of those asked for that has failed, a step that was named and has
+/// passed, or the chapter's picture where all has passed.
+std::optional<VerdictPicture> picture_of(const Project& project, const Chapter& chapter,
+                                         const Request& request, const ChapterResult& asked,
+                                         const ChapterResult& all) {
+    if (!all.build_error.empty()) return std::nullopt;
     const auto failed = std::ranges::find(asked.steps, State::Failed, &StepResult::state);
-    if (failed != asked.steps.end() && all.build_error.empty())
-        show_failed_step(project, chapter, all, failed->id);
+    if (failed != asked.steps.end()) return picture_of_failed(project, chapter, all, failed->id);
+    for (const StepResult& step : asked.steps)
+        if (request.steps.contains(step.id) && step.state == State::Passed)
+            if (auto picture = picture_of_passed(project, chapter, step_of(chapter, step.id))) return picture;
+    return all_passed(all) ? chapter_picture(project, chapter) : std::nullopt;
+}
+
+/// The results as JSON, with what is shown beside them.
+nlohmann::ordered_json verdict_json(const std::vector<Chapter>& chapters,
+                                    const std::vector<ChapterResult>& asked,
+                                    const std::optional<VerdictPicture>& picture) {
+    nlohmann::ordered_json json = results_json(chapters, asked);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        nlohmann::ordered_json& chapter = json["chapters"][i];
+        chapter["prints"] = nlohmann::ordered_json::array();
+        for (const Printed& printed : asked[i].printed)
+            chapter["prints"].push_back(
+                {{"test", printed.test}, {"lines", printed.lines}, {"more", printed.more}});
+        chapter["warnings"] = asked[i].warnings;
+        if (picture) chapter["picture"] = picture->file;
+    }
+    return json;
 }
 
 /// What to do first where a chapter does not build because of a given file that was changed; else nothing.
@@ -146,8 +169,12 @@ int run_check(const CheckCommand& command) {
         asked.push_back(narrowed(request, *request.chapters[i], results[i]));
     const bool good = std::all_of(asked.begin(), asked.end(), all_passed);
 
+    const auto picture = [&]() -> std::optional<VerdictPicture> {
+        if (command.solutions || request.chapters.size() != 1) return std::nullopt;
+        return picture_of(project, *request.chapters.front(), request, asked.front(), results.front());
+    };
     if (command.json) {
-        fmt::print("{}\n", json_text(results_json(chapters, asked)));
+        fmt::print("{}\n", json_text(verdict_json(chapters, asked, picture())));
         return good ? 0 : 1;
     }
 
@@ -158,8 +185,7 @@ int run_check(const CheckCommand& command) {
     flush_output();
     if (command.solutions) return good ? 0 : 1;
 
-    if (request.chapters.size() == 1)
-        show_pictures(project, *request.chapters.front(), asked.front(), results.front());
+    if (const auto shown = picture()) fmt::print("{}", shown->text);
     fmt::print("\n{} {}\n", paint("Next:", Tone::Bold), next_after(project, chapters, request, results));
     return good ? 0 : 1;
 }

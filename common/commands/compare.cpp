@@ -48,6 +48,7 @@ ordered_json to_json(const Comparison& comparison, const Perceived& perceived, i
     return {{"width", comparison.width},
             {"height", comparison.height},
             {"max", comparison.max},
+            {"shown_max", comparison.shown_max},
             {"mean", comparison.mean},
             {"rmse", comparison.rmse},
             {"psnr", number_or_null(comparison.psnr)},
@@ -66,11 +67,12 @@ void print(const Comparison& comparison, int within, bool same, bool eight_bits)
     }
     // What 8 bits cannot hold says nothing of a picture that has only those.
     const std::string finer =
-        eight_bits ? "" : fmt::format(", {:.4g} % within 2/65535", 100 * comparison.within16[2]);
-    fmt::print("{}: {:.4g} % of {} × {} pixels within {}/255{}\n", same ? "the same to the eye" : "different",
-               100 * comparison.within[static_cast<std::size_t>(within)], comparison.width, comparison.height,
-               within, finer);
-    fmt::print("greatest {:.6f} at pixel ({}, {}), mean {:.3g}, RMSE {:.3g}, PSNR {:.1f} dB\n",
+        eight_bits ? "" : fmt::format("; {} within 2/65535 in light", percent(comparison.within16[2]));
+    fmt::print("{}: {} of {} × {} pixels within {}/255 as a display shows them, greatest {:.3g}/255{}\n",
+               same ? "the same to the eye" : "different",
+               percent(comparison.within[static_cast<std::size_t>(within)]), comparison.width,
+               comparison.height, within, 255 * comparison.shown_max, finer);
+    fmt::print("in light: greatest {:.6f} at pixel ({}, {}), mean {:.3g}, RMSE {:.3g}, PSNR {:.1f} dB\n",
                comparison.max, comparison.worst_x, comparison.worst_y, comparison.mean, comparison.rmse,
                comparison.psnr);
 }

@@ -5,6 +5,8 @@
 #include "common/image/file.hpp"
 #include "common/math/input_error.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -48,6 +50,10 @@ Histogram cumulative(const Histogram& histogram, Real pixels) {
 
 }  // namespace
 
+std::string percent(Real share) {
+    return share >= 1 ? "100 %" : fmt::format("{:.2f} %", std::floor(share * 1e4) / 1e2);
+}
+
 void require_same_size(const Image& image, const Image& reference) {
     if (image.width == reference.width && image.height == reference.height) return;
     const auto size = [](const Image& i) {
@@ -73,6 +79,7 @@ Comparison compare(const Image& image, const Image& reference, const Display& di
             }
             row_sum += difference.x + difference.y + difference.z;
             row_squares += glm::dot(difference, difference);
+            result.shown_max = std::max(result.shown_max, max_component(encoded));
             count(shown, steps_up(max_component(encoded), 255));
             count(linear, steps_up(max_component(difference), 65535));
             if (max_component(difference) > result.max) {

@@ -4,6 +4,7 @@
 #include "common/image/image.hpp"
 
 #include <array>
+#include <string>
 
 namespace rt {
 
@@ -25,6 +26,7 @@ struct Comparison {
     Real mean = 0;
     Real rmse = 0;
     Real psnr = infinity;  ///< -20 log10(rmse); infinite for equal images
+    Real shown_max = 0;    ///< the greatest difference as the display shows it, 1 from black to white
     std::array<Real, 256> within{};
     std::array<Real, 256> within16{};
     int worst_x = 0;  ///< pixel of the greatest linear difference; the first from the top left of several
@@ -34,6 +36,9 @@ struct Comparison {
 /// Share of the pixels of two pictures that must be alike if the pictures are to be the same. At the rest, on
 /// a silhouette or a shadow's edge, two right programs may see different things.
 inline constexpr Real same_share = 0.999;
+
+/// A share of the pixels as "99.98 %", rounded down: "100 %" is all of them.
+std::string percent(Real share);
 
 /// Throws InputError, naming both sizes, if the sizes differ.
 void require_same_size(const Image& image, const Image& reference);

@@ -53,11 +53,6 @@ PageView scale_bar(std::string_view most) {
     return {{"source", data_url(bar, Encoding::Srgb)}, {"most", most}};
 }
 
-/// A fraction of pixels; 100 % only if it is all of them.
-std::string percent(Real fraction) {
-    return fraction >= 1 ? "100 %" : fmt::format("{:.2f} %", std::floor(fraction * 1e4) / 1e2);
-}
-
 /// A pixel as the display gets it.
 std::string bytes_of(const Vec3& p, const Display& display) {
     return fmt::format("{}, {}, {}", encode_byte(p.x, display.encoding), encode_byte(p.y, display.encoding),
@@ -130,6 +125,7 @@ PageView numbers_of(const Comparison& comparison, Real flip_mean, const std::opt
     return {{"width", comparison.width},
             {"height", comparison.height},
             {"greatest", fmt::format("{:.6f}", comparison.max)},
+            {"shown_greatest", fmt::format("{:.3g}", 255 * comparison.shown_max)},
             {"x", comparison.worst_x},
             {"y", comparison.worst_y},
             {"mean", fmt::format("{:.3g}", comparison.mean)},

@@ -75,11 +75,15 @@ Makers makers_of_surface(const std::string& shape) {
 /// What makes hits of any shape: transforms, grids, motion.
 const Makers all_hits{"04", "09", "12/motion.cpp"};
 
-/// The steps of the lobe of a finish.
+/// The steps of the lobe of a finish: only metal and glass have GGX's facets (11.16), and only glass and a
+/// coat Fresnel's law (07.3).
 Makers makers_of_lobe(const ordered_json& ray) {
-    static const std::map<std::string, std::string> steps{
-        {"matte", "11.15"}, {"metal", "11.16"}, {"glass", "11.18"}, {"velvet", "11.20"}, {"coated", "11.22"}};
-    return {steps.at(ray["finish"]["kind"].get<std::string>()), "11.16"};
+    static const std::map<std::string, Makers> steps{{"matte", {"11.15"}},
+                                                     {"metal", {"11.16"}},
+                                                     {"glass", {"07.3", "11.16", "11.18"}},
+                                                     {"velvet", {"11.20"}},
+                                                     {"coated", {"07.3", "11.22"}}};
+    return steps.at(ray["finish"]["kind"].get<std::string>());
 }
 
 /// Where a ray leads that a hit sends on.
@@ -88,10 +92,10 @@ Makers makers_of_direction(const ordered_json& rays, const ordered_json& ray) {
     if (kind == "camera") return {"01/camera.cpp", "12/lens.cpp"};
     const ordered_json& parent = rays[ray["parent"].get<std::size_t>()];
     const bool is_mirrored = kind == "reflection";
-    if (parent.contains("facets")) return {"11.17", "11.19", "12/distributed.cpp"};
-    if (parent.contains(is_mirrored ? "gloss" : "translucency"))
-        return {"12/glossy.cpp", "12/distributed.cpp"};
-    return {is_mirrored ? "07.1" : "07.2", "07.5"};
+    const Makers sharp{is_mirrored ? "07.1" : "07.2", "07.5"};
+    if (parent.contains("facets")) return Makers{"11.17"} + sharp;
+    if (parent.contains(is_mirrored ? "gloss" : "translucency")) return sharp + Makers{"12.16", "12.19"};
+    return sharp;
 }
 
 // ---------------------------------------------------------------------------------------- what is compared
@@ -184,7 +188,9 @@ std::optional<TraceDifference> difference_of_ways(const ordered_json& rays, cons
         return found("origin", "origin of the ray",
                      is_camera ? Makers{"01/camera.cpp", "12/lens.cpp"} : Makers{"06.1", "07.5"});
     if (differ("direction")) return found("direction", "direction of the ray", makers_of_direction(rays, b));
-    if (differ("weight")) return found("weight", "weight of the ray", scattered);
+    const bool from_facet = !is_camera && rays[b["parent"].get<std::size_t>()].contains("facets");
+    if (differ("weight"))
+        return found("weight", "weight of the ray", (from_facet ? Makers{"11.16"} : Makers{}) + scattered);
     const Makers hits = makers_of_hit(shape_of(b)) + makers_of_hit(shape_of(a)) + all_hits;
     if (differ("hit") || differ("line") || differ("shape"))
         return difference_of_hits(a, b, i, {i, what_is_hit, hit_in_words(a), hit_in_words(b), hits});

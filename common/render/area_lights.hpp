@@ -35,23 +35,30 @@ inline Vec3 visible_part(const LightAsked& at, const LightSample& light, Real sp
                                           : visibility(at.world, shadow);
 }
 
-/// Calls visit(LightSample, visible part) for each light without an extent in front of the surface.
+/// Calls visit(LightSample, visible part, number of the light) for each light without an extent in front of
+/// the surface. Lights are numbered in the world's order: point lights, directional ones, area lights.
 template <class Visit>
 void visit_lamps(const LightAsked& at, const Visit& visit) {
+    std::uint32_t number = 0;
     const auto ask = [&](const LightSample& light) {
-        if (dot(at.normal, light.direction) > 0) visit(light, visible_part(at, light, 0));
+        if (dot(at.normal, light.direction) > 0) visit(light, visible_part(at, light, 0), number);
+        ++number;
     };
     for (const PointLight& light : at.world.point_lights) ask(sample_light(light, at.surface.point));
     for (const DirectionalLight& light : at.world.directional_lights)
         ask(sample_light(light, at.surface.point));
 }
 
-/// Likewise for the random points of an area light. A point that is not in front of the surface, or does not
-/// shine on it, is drawn, too: so each light has its own random numbers.
+/// Likewise for the random points of one of the area lights. A point that is not in front of the surface, or
+/// does not shine on it, is drawn, too: so each light has its own random numbers.
 template <class Visit>
-void visit_area_light(const LightAsked& at, const AreaLight& light, Real probability, Stream& stream,
+void visit_area_light(const LightAsked& at, std::size_t which, Real probability, Stream& stream,
                       const Visit& visit) {
-    const LightSamples& samples = at.world.area_lights.samples;
+    const World& world = at.world;
+    const AreaLight& light = world.area_lights.lights[which];
+    const auto number =
+        static_cast<std::uint32_t>(world.point_lights.size() + world.directional_lights.size() + which);
+    const LightSamples& samples = world.area_lights.samples;
     const auto count = static_cast<std::uint32_t>(samples.count);
     for (std::uint32_t i = 0; i < count; ++i) {
         Vec2 random = next_point(stream);
@@ -62,20 +69,20 @@ void visit_area_light(const LightAsked& at, const AreaLight& light, Real probabi
         std::optional<LightSample> sample = sample_light(light, at.surface.point, samples.how, random);
         if (!sample || !(dot(at.normal, sample->direction) > 0)) continue;
         sample->color /= probability * count;
-        visit(*sample, visible_part(at, *sample, before_light));
+        visit(*sample, visible_part(at, *sample, before_light), number);
     }
 }
 
 /// Likewise for the area lights: all of them, or one.
 template <class Visit>
 void visit_area_lights(const LightAsked& at, Stream& stream, const Visit& visit) {
-    const World& world = at.world;
-    if (world.area_lights.chances.empty()) {
-        for (const AreaLight& light : world.area_lights.lights) visit_area_light(at, light, 1, stream, visit);
+    const AreaLights& all = at.world.area_lights;
+    if (all.chances.empty()) {
+        for (std::size_t i = 0; i < all.lights.size(); ++i) visit_area_light(at, i, 1, stream, visit);
         return;
     }
-    const Choice choice = choose(world.area_lights.chances, next_real(stream));
-    visit_area_light(at, world.area_lights.lights[choice.index], choice.probability, stream, visit);
+    const Choice choice = choose(all.chances, next_real(stream));
+    visit_area_light(at, choice.index, choice.probability, stream, visit);
 }
 
 }  // namespace rt

@@ -66,7 +66,7 @@ Vec3 direct(const World& world, const Ray& ray, Stream& stream) {
         Vec3 sum(0);
         visit_area_lights(
             {world, at.surface, at.normal, ray.time}, stream,
-            [&](const LightSample& light, const Vec3& visible) {
+            [&](const LightSample& light, const Vec3& visible, std::uint32_t) {
                 const Vec3 l = light.direction * frame;
                 const Vec3 f = finish.brdf == Brdf::Ggx
                                    ? evaluate(DiffuseGgx{m.diffuse, m.specular, finish.roughness}, l, viewer)

@@ -41,13 +41,14 @@ std::optional<Finish> finish_of(const World& world, const Material& material) {
 }
 
 /// What the surface sends to the viewer by itself, and of the sky and the lamps. `visit_all(normal, visit)`
-/// calls `visit` for each lamp in front of that normal, with the light and its visible part.
+/// calls `visit` for each lamp in front of that normal, with the light and its visible part, and perhaps
+/// with the lamp's number.
 template <class VisitAll>
 Vec3 sum_of_all(const World& world, const Surface& surface, const Material& material, const Vec3& normal,
                 const Vec3& to_viewer, const VisitAll& visit_all) {
     const LampShading lamps = lamp_shading(world, surface, material, normal, to_viewer);
     Vec3 sum = emitted_light(material) + light_of_sky(world, material, normal);
-    const auto add = [&](const LightSample& light, const Vec3& visible) {
+    const auto add = [&](const LightSample& light, const Vec3& visible, std::uint32_t = 0) {
         if (visible != Vec3(0)) sum += sent_on(lamps, light, visible);
     };
     visit_all(normal, add);

@@ -12,53 +12,20 @@
 namespace rt {
 namespace {
 
-/// Calls visit(number of the light, LightSample, visible part) for each light without an extent in front of
-/// the surface, in the world's order.
-template <class Visit>
-void visit_numbered_lamps(const LightAsked& at, const Visit& visit) {
-    std::uint32_t number = 0;
-    const auto ask = [&](const LightSample& light) {
-        if (dot(at.normal, light.direction) > 0) visit(number, light, visible_part(at, light, 0));
-        ++number;
-    };
-    for (const PointLight& light : at.world.point_lights) ask(sample_light(light, at.surface.point));
-    for (const DirectionalLight& light : at.world.directional_lights)
-        ask(sample_light(light, at.surface.point));
-}
-
-/// Likewise for the points of area lights that the stream chooses, as `visit_area_lights` does.
-template <class Visit>
-void visit_numbered_area_lights(const LightAsked& at, Stream& stream, const Visit& visit) {
-    const AreaLights& all = at.world.area_lights;
-    const std::size_t before = at.world.point_lights.size() + at.world.directional_lights.size();
-    const auto ask = [&](std::size_t i, Real probability) {
-        const auto number = static_cast<std::uint32_t>(before + i);
-        visit_area_light(
-            at, all.lights[i], probability, stream,
-            [&](const LightSample& light, const Vec3& visible) { visit(number, light, visible); });
-    };
-    if (all.chances.empty()) {
-        for (std::size_t i = 0; i < all.lights.size(); ++i) ask(i, 1);
-        return;
-    }
-    const Choice choice = choose(all.chances, next_real(stream));
-    ask(choice.index, choice.probability);
-}
-
 /// Writes down which part of the local light each light gives. Area lights are asked by the numbers of
 /// `stream`, if there is one.
 void write_lights(const World& world, const Material& material, TraceRecord& record, Stream* stream) {
     const Ray& ray = record.branch.ray;
     const LampShading lamps = lamp_shading(world, record.surface, material, record.normal, -ray.direction);
     record.finish = lamps.finish;
-    const auto write = [&](std::uint32_t number, const LightSample& sample, const Vec3& visible) {
+    const auto write = [&](const LightSample& sample, const Vec3& visible, std::uint32_t number) {
         record.lights.push_back({number, sample, visible, sent_on(lamps, sample, visible), std::nullopt});
         if (lamps.finish) record.lights.back().lobe = lobe_towards(lamps, sample);
     };
     const auto ask_all = [&](const Vec3& side) {
         const LightAsked asked{world, record.surface, side, ray.time};
-        visit_numbered_lamps(asked, write);
-        if (stream) visit_numbered_area_lights(asked, *stream, write);
+        visit_lamps(asked, write);
+        if (stream) visit_area_lights(asked, *stream, write);
     };
     ask_all(record.normal);
     if (shines_through(lamps)) ask_all(-record.normal);

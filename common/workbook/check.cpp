@@ -44,6 +44,17 @@ std::string without_root(const Project& project, std::string line) {
     return line;
 }
 
+/// Whether a linker has said that something is missing or twice there. Some of them write "error" as a
+/// compiler does, which knows of things that are twice there, too, and says in which column.
+bool is_linkers(const std::string& line) {
+    const auto has = [&](const char* text) { return line.find(text) != std::string::npos; };
+    if (has("undefined reference to") || has("undefined symbol") || has("ld: cannot find")) return true;
+    const auto error = line.find(": error: ");
+    const bool is_compilers =
+        error != std::string::npos && error > 0 && line[error - 1] >= '0' && line[error - 1] <= '9';
+    return has("multiple definition of") && !is_compilers;
+}
+
 StepResult died(const std::string& step, const TestOutcome& outcome) {
     return {step, State::Failed, death_in_words(outcome)};
 }
@@ -124,13 +135,11 @@ std::string first_error(const Project& project, const std::string& output) {
     std::string linker, last;
     for (const std::string& line : split_lines(output)) {
         const bool from_driver = line.starts_with("collect2:") || line.starts_with("clang");
-        if (!from_driver && (line.find(": error: ") != std::string::npos ||
-                             line.find(": fatal error: ") != std::string::npos))
+        const bool from_linker = is_linkers(line);
+        if (!from_driver && !from_linker &&
+            (line.find(": error: ") != std::string::npos ||
+             line.find(": fatal error: ") != std::string::npos))
             return without_root(project, line);
-        const bool from_linker = line.find("undefined reference to") != std::string::npos ||
-                                 line.find("multiple definition of") != std::string::npos ||
-                                 line.find("undefined symbol") != std::string::npos ||
-                                 line.find("ld: cannot find") != std::string::npos;
         if (from_linker && linker.empty()) linker = line;
         if (!line.empty() && !line.starts_with("ninja: build stopped")) last = line;
     }

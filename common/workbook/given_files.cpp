@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace rt {
 
@@ -75,6 +76,35 @@ void take_out_updated(const Project& project, std::vector<ChangedGiven>& changed
     });
 }
 
+/// The given files that differ from the commit that these words of git's diff name; nothing if there is none.
+std::optional<std::vector<ChangedGiven>> differing(const Project& project,
+                                                   const std::vector<std::string>& commit) {
+    // Files that only were touched are no difference; whether they are, git reads.
+    std::vector<std::string> command{"diff", "--relative",   "--name-status",
+                                     "-z",   "--no-renames", "--no-ext-diff"};
+    command.insert(command.end(), commit.begin(), commit.end());
+    command.insert(command.end(), {"--", "."});
+    try {
+        std::vector<ChangedGiven> changed = changed_given(git_there(project, command));
+        take_out_updated(project, changed);
+        return changed;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+/// The given files that are not as in commit_of_course. Every command asks this, so where nothing is wrong it
+/// starts git only once.
+std::vector<ChangedGiven> changed_since_course(const Project& project) {
+    std::optional<std::vector<ChangedGiven>> changed;
+    if (!fs::exists(project.root / handout_record))
+        changed = differing(project, {"--merge-base", "@{upstream}"});
+    else if (const std::string course = commit_of_course(project); !course.empty())
+        changed = differing(project, {course});
+    if (!changed) changed = differing(project, {"HEAD"});
+    return changed.value_or(std::vector<ChangedGiven>());
+}
+
 }  // namespace
 
 std::vector<ChangedGiven> changed_given(std::string_view status) {
@@ -95,20 +125,13 @@ std::vector<ChangedGiven> changed_given(std::string_view status) {
 
 GivenChanges given_changes(const Project& project) {
     GivenChanges changes;
-    const auto differing = [&](const std::string& commit) {
-        // Files that only were touched are no difference; whether they are, git reads.
-        std::vector<ChangedGiven> changed =
-            changed_given(git_or_nothing(project, {"diff", "--relative", "--name-status", "-z",
-                                                   "--no-renames", "--no-ext-diff", commit, "--", "."}));
-        take_out_updated(project, changed);
-        return changed;
-    };
-    const std::string course = commit_of_course(project);
-    changes.files = differing(course.empty() ? "HEAD" : course);
+    changes.files = changed_since_course(project);
     changes.commit = "HEAD";
     if (changes.files.empty()) return changes;
     if (git_or_nothing(project, {"config", "--type=bool", "course.maintainer"}) == "true") return {};
-    changes.committed = !course.empty() && differing("HEAD").size() < changes.files.size();
+    const std::string course = commit_of_course(project);
+    changes.committed =
+        !course.empty() && differing(project, {"HEAD"}).value_or(changes.files).size() < changes.files.size();
     if (changes.committed) changes.commit = course;
     changes.staged = !git_or_nothing(project, {"diff", "--cached", "--name-only", "--", "."}).empty();
     return changes;

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace rt {
 
 namespace fs = std::filesystem;
@@ -31,6 +33,23 @@ std::string test_named_in(const std::string& message) {
     if (quoted == std::string::npos || !first.ends_with('"')) return first;
     const std::size_t begin = quoted + in_test.size();
     return first.substr(begin, first.size() - 1 - begin);
+}
+
+/// What of a chapter that is complete can be done beyond that: "; or first step 05.6, which is optional".
+std::string optional_left(const ChapterResult& result) {
+    std::vector<std::string> left;
+    for (const StepResult& step : result.steps)
+        if (step.optional && step.state != State::Passed) left.push_back(step.id);
+    if (left.empty()) return "";
+    const bool one = left.size() == 1;
+    return fmt::format("; or first step{} {}, which {} optional", one ? "" : "s", fmt::join(left, " and "),
+                       one ? "is" : "are");
+}
+
+bool is_begun(const ChapterResult& result) {
+    return std::ranges::any_of(result.steps, [](const StepResult& step) {
+        return step.state != State::Todo || step.message.starts_with("begun");
+    });
 }
 
 /// What is left to do when nothing is.
@@ -115,7 +134,9 @@ std::string next_action(const Project& project, const std::vector<Chapter>& chap
     for (std::size_t i = 0; i < chapters.size(); ++i) {
         if (all_passed(results[i].result) && results[i].current) continue;
         if (!results[i].current) return fmt::format("./course check {}", chapters[i].number);
-        return next_action(chapters[i], results[i].result);
+        const bool at_beginning = i > 0 && !is_begun(results[i].result);
+        return next_action(chapters[i], results[i].result) +
+               (at_beginning ? optional_left(results[i - 1].result) : "");
     }
     return after_the_last(project, results);
 }

@@ -20,8 +20,9 @@ std::string details(const StepResult& result);
 /// failed, and the compiler's warnings. Empty if there is nothing.
 std::string notes(const ChapterResult& result);
 
-/// The one next thing to do for a student with these results, as an imperative sentence. `results` are all
-/// chapters', in the catalogue's order.
+/// The one next thing to do for a student with these results, as an imperative sentence. Between two chapters
+/// it names optional steps that are left in the first of them. `results` are all chapters', in the
+/// catalogue's order.
 std::string next_action(const Project& project, const std::vector<Chapter>& chapters,
                         const std::vector<KnownResult>& results);
 

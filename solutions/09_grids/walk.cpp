@@ -33,9 +33,9 @@ Axis first_of(const GridShape& shape, const Ray& ray, int axis, Real t, int& num
 /// call returns true or the range or the grid ends. Returns whether a call did.
 template <class Visit>
 bool walk_on(Axis x, Axis y, Axis z, int number, Interval range, const Visit& visit) {
-    // [exercise 09.11] Visit the cells, each for the part of the ray in it, until a visit says so, the range
-    // ends, or the axis along which the ray leaves its cell is at its last boundary. Compute each boundary's
-    // `next` from its number, not from the old one.
+    // [exercise 09.11] Visit the cells, each for the part of the range in it, until a visit says so, the
+    // range ends, or the axis along which the ray leaves its cell is at its last boundary. Compute each
+    // boundary's `next` from its number, not from the old one.
 
     // Written out for each axis: that keeps all of it in registers.
     const auto go_on = [&](Axis& axis) {

@@ -24,11 +24,15 @@ std::string describe(const Sphere& a, const Sphere& b, const Ray& ray, Interval 
 }
 
 void check_lens(const Ray& ray, Interval range, Real t, std::uint32_t primitive) {
-    INFO(describe(front, back, ray, range) << "; primitive is 0 on the surface of a and 1 on that of b");
+    INFO(describe(front, back, ray, range));
     const std::optional<Hit> hit = intersect_lens(front, back, ray, range);
     REQUIRE(hit);
+    {
+        INFO("the t of the hit");
+        CHECK(test::near(hit->t, t, gamma(8) * 20));
+    }
+    INFO("its primitive, which is 0 on the surface of a and 1 on that of b");
     CHECK(hit->primitive == primitive);
-    CHECK(test::near(hit->t, t, gamma(8) * 20));
 }
 
 void check_beside(const Ray& ray, Interval range) {

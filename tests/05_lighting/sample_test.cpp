@@ -48,6 +48,14 @@ TEST_CASE("by hand: light from (3, 4, 0), at distance 5, is divided by 1 + 2·5 
     check_sample(sample_light(light, {0, 0, 0}), {0.6, 0.8, 0}, 5, {1, 2, 0.5}, 16 * unit_roundoff);
 }
 
+TEST_CASE("a weak lamp that is very near shines like a strong one farther away", "[05.1]") {
+    // Its colour is divided by what the divisor is, however small: by 2^-80 at distance 2^-40.
+    const Real d = 0x1p-40;
+    const PointLight light{.position = {0, d, 0}, .color = d * d * Vec3(1, 2, 0.5), .attenuation = {0, 0, 1}};
+    INFO(light << "\nseen from (0, 0, 0): its colour is divided by the square of the distance, " << d * d);
+    check_sample(sample_light(light, Vec3(0)), {0, 1, 0}, d, {1, 2, 0.5}, 16 * unit_roundoff);
+}
+
 TEST_CASE("a point light two units above", "[05.1]") {
     const PointLight light{.position = {1, 5, -1}, .color = {0.5, 0.25, 1}};
     INFO(light << "\nseen from (1, 3, -1)");
@@ -80,10 +88,17 @@ TEST_CASE("a light on the very point gives nothing, at distance 0", "[05.1]") {
     for (const Vec3& attenuation : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0)}) {
         const PointLight light{.position = {1, 2, 3}, .color = Vec3(1), .attenuation = attenuation};
         const LightSample sample = sample_light(light, {1, 2, 3});
-        INFO(light << "\nseen from where it is gives " << sample << "; expected black at distance 0");
-        CHECK(near_color(sample.color, Vec3(0), 0));
-        CHECK(sample.distance == 0);
-        CHECK(or_say(is_finite(sample.direction), "the direction is not a number"));
+        INFO(light << "\nseen from where it is gives " << sample);
+        {
+            INFO("the colour of the light that arrives");
+            CHECK(near_color(sample.color, Vec3(0), 0));
+        }
+        {
+            INFO("the distance");
+            CHECK(sample.distance == 0);
+        }
+        INFO("the direction, whichever, with which others go on computing");
+        CHECK(or_say(is_finite(sample.direction), show(sample.direction) + ", expected finite numbers"));
     }
 }
 
@@ -110,9 +125,12 @@ TEST_CASE("light is a finite number however near or far the lamp", "[05.1]") {
                 .position = {0, 0, distance}, .color = {1, 0, 1e6}, .attenuation = attenuation};
             const LightSample sample = sample_light(light, Vec3(0));
             INFO(light << "\nseen from (0, 0, 0) gives " << sample);
-            REQUIRE(or_say(is_finite(sample.color), "the colour is not finite"));
-            REQUIRE(or_say(is_finite(sample.direction), "the direction is not finite"));
-            REQUIRE(or_say(sample.distance >= 0, "the distance is negative or not a number"));
+            REQUIRE(or_say(is_finite(sample.color),
+                           "the colour " + show(sample.color) + ", expected finite numbers"));
+            REQUIRE(or_say(is_finite(sample.direction),
+                           "the direction " + show(sample.direction) + ", expected finite numbers"));
+            REQUIRE(or_say(sample.distance >= 0,
+                           "the distance " + show(sample.distance) + ", expected 0 or more"));
         }
     }
 }
@@ -123,11 +141,14 @@ TEST_CASE("direction and distance lead from the point to the light", "[05.1]") {
         const auto [light, point] = some_case(random);
         const LightSample sample = sample_light(light, point);
         const Vec3 way = light.position - point;
-        INFO(light << "\nseen from " << point
-                   << ": the length of the direction, and distance times direction, the way from the point "
-                      "to the light");
+        INFO(light << "\nseen from " << point << " gives direction " << sample.direction << " and distance "
+                   << sample.distance);
         // One rounding in the difference, 2.5 in its length, one in the quotient.
-        REQUIRE(near(length(sample.direction), 1, 8 * unit_roundoff));
+        {
+            INFO("the length of the direction");
+            REQUIRE(near(length(sample.direction), 1, 8 * unit_roundoff));
+        }
+        INFO("distance times direction: the way from the point to the light");
         REQUIRE(near(sample.distance * sample.direction, way, 8 * unit_roundoff * length(way)));
     }
 }
@@ -140,10 +161,14 @@ TEST_CASE("colour times divisor is the light's colour", "[05.1]") {
         const Vec3 attenuation = light.attenuation;
         const Real d = length(light.position - point);
         const Vec3 back = sample.color * (attenuation.x + attenuation.y * d + attenuation.z * d * d);
-        INFO(light << "\nseen from " << point << ", at distance " << d << ": the colour times the divisor");
+        INFO(light << "\nseen from " << point << ", at distance " << d << " the colour " << sample.color
+                   << " arrives: that times the divisor");
         // Twice up to 4 roundings for d, squared, and 5 for sums and products; all terms are positive.
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < 3; ++k) {
+            const char* const channels[] = {"red", "green", "blue"};
+            INFO("its " << channels[k] << " channel, expected the lamp's");
             REQUIRE(near(back[k], light.color[k], 32 * unit_roundoff * light.color[k]));
+        }
     }
 }
 
@@ -159,10 +184,17 @@ TEST_CASE("in a scene twice as large, lights are twice as far and have the same 
             light.position *= factor;
             const LightSample scaled = sample_light(light, factor * point);
             light.position /= factor;
-            INFO(light << "\nseen from " << point << ", and in a scene " << factor
-                       << " times as large: direction, distance, colour");
-            REQUIRE(scaled.direction == sample.direction);
-            REQUIRE(scaled.distance == factor * sample.distance);
+            INFO(light << "\nseen from " << point << " gives " << sample << ";\nin a scene " << factor
+                       << " times as large");
+            {
+                INFO("the direction, which is the same");
+                REQUIRE(scaled.direction == sample.direction);
+            }
+            {
+                INFO("the distance, which is as many times as large");
+                REQUIRE(scaled.distance == factor * sample.distance);
+            }
+            INFO("the colour, which is the same, as the attenuation is 1 0 0");
             REQUIRE(scaled.color == sample.color);
         }
     }

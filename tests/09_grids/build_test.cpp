@@ -6,6 +6,7 @@
 #include "tests/support.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 using namespace rt;
@@ -36,8 +37,8 @@ void check_overlaps(const Shape& shape, const Bounds& box) {
     CHECK(test::or_say(overlaps(shape, box), "they do not overlap, expected that they do"));
 }
 template <class Shape>
-void check_apart(const Shape& shape, const Bounds& box) {
-    INFO(shape << " and the " << box);
+void check_apart(const Shape& shape, const Bounds& box, const std::string& because = "") {
+    INFO(shape << " and the " << box << (because.empty() ? "" : ": " + because));
     CHECK(test::or_say(!overlaps(shape, box), "they overlap, expected that they do not"));
 }
 
@@ -298,21 +299,38 @@ TEST_CASE("a sphere that overlaps a box is never missed, and none is made up", "
     }
 }
 
-TEST_CASE("a triangle is apart from a box along an axis, its normal, or an edge times an axis", "[09.6]") {
+TEST_CASE("a triangle is apart from a box along an axis, or along its normal", "[09.6]") {
     const Triangle slanted{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}};
     check_overlaps(slanted, {Vec3(0.9), Vec3(1.1)});
-    // The box is in front of the plane x + y + z = 3, or behind it.
-    check_apart(slanted, {Vec3(0), Vec3(0.9)});
-    check_apart(slanted, {Vec3(1.1), Vec3(2)});
-    // The box is beside the triangle.
-    check_apart(slanted, {{4, 0, 0}, {5, 1, 1}});
-    check_apart(slanted, {{0, -2, 0}, {1, -1, 1}});
+    const char* const normal = "the triangle's normal parts them";
+    check_apart(slanted, {Vec3(0), Vec3(0.9)}, normal);
+    check_apart(slanted, {Vec3(1.1), Vec3(2)}, normal);
+    check_apart(slanted, {{4, 0, 0}, {5, 1, 1}}, "the box's axis x parts them");
+    check_apart(slanted, {{0, -2, 0}, {1, -1, 1}}, "the box's axis y parts them");
+    check_apart(slanted, {{0, 0, 3.1}, {1, 1, 4}}, "the box's axis z parts them");
+}
 
-    // Only the edge x + y = 2.2 parts this triangle in the plane z = 0 from the cube.
+TEST_CASE("a triangle is apart from a box along an edge times an axis", "[09.6]") {
     const Bounds cube{Vec3(-1), Vec3(1)};
-    check_apart(Triangle{{2.5, -0.3, 0}, {-0.3, 2.5, 0}, {3, 3, 0}}, cube);
+    // In a plane across an axis, only the triangle's edge from (2.5, -0.3) to (-0.3, 2.5) parts it from the
+    // cube, times that axis. It is put across each axis, and begins at each of its corners.
+    const std::array flat{Vec3(2.5, -0.3, 0), Vec3(-0.3, 2.5, 0), Vec3(3, 3, 0)};
+    const char* const edges[] = {"from a to b", "from c to a", "from b to c"};
+    for (int axis = 0; axis < 3; ++axis)
+        for (std::size_t first = 0; first < 3; ++first) {
+            const auto corner = [&](std::size_t k) {
+                const Vec3& p = flat[(k + first) % 3];
+                return axis == 2 ? p : axis == 1 ? Vec3(p.y, p.z, p.x) : Vec3(p.z, p.x, p.y);
+            };
+            check_apart(
+                Triangle{corner(0), corner(1), corner(2)}, cube,
+                std::string("the edge ") + edges[first] + " times the axis " + "xyz"[axis] + " parts them");
+        }
     check_overlaps(Triangle{{2.2, -0.3, 0}, {-0.3, 2.2, 0}, {3, 3, 0}}, cube);
-    // A triangle wholly inside, and one that the box is wholly inside of, flat.
+}
+
+TEST_CASE("a triangle inside a box, and a box in the middle of a triangle", "[09.6]") {
+    const Bounds cube{Vec3(-1), Vec3(1)};
     check_overlaps(Triangle{{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}, cube);
     check_overlaps(Triangle{{-9, -9, 0.5}, {9, -9, 0.5}, {0, 9, 0.5}}, cube);
     check_overlaps(Triangle{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, cube);
@@ -496,39 +514,30 @@ TEST_CASE("the inside of a sphere is empty, and so are shapes without a point", 
     CHECK(none.first.size() > 0);
 }
 
-TEST_CASE("scenes without thickness, of one point, or of the same shape again and again get grids",
-          "[09.13]") {
-    Random random(910);
-    std::vector<Triangle> flat = some_triangles(random, 500);
-    for (Triangle& t : flat) t.a.y = t.b.y = t.c.y = 3;
-    const Grid sheet = grid_of(flat, {.nested = false});
-    INFO("500 triangles in a plane of constant y: cells along y, and in all; then a hundred in one point");
-    CHECK(sheet.shape.cells.y == 1);
-    CHECK(total(sheet.shape.cells) > 1000);
-
-    const std::vector<Triangle> point(100, Triangle{Vec3(0.1), Vec3(0.1), Vec3(0.1)});
-    CHECK(grid_of(point, {}).shape.cells == Cells(1));
-
-    const std::vector<Triangle> same(400, Triangle{{0, 0, 0}, {1, 1, 0}, {0, 1, 1}});
-    const Grid grid = grid_of(same, {});
-    INFO(same.size() << " times the same triangle: how many bytes the grid takes");
-    CHECK(bytes_of(grid) < 1000 * same.size());
-}
-
-TEST_CASE("a scene larger by a power of two gets the same grid", "[09.13]") {
-    Random random(911);
-    const std::vector<Triangle> triangles = some_triangles(random, 200);
-    const Grid grid = grid_of(triangles, {});
-    for (const int k : {-300, -40, 1, 40, 300}) {
-        std::vector<Triangle> scaled = triangles;
-        for (Triangle& t : scaled)
-            for (Vec3* p : {&t.a, &t.b, &t.c}) *p *= std::ldexp(1.0, k);
-        const Grid other = grid_of(scaled, {});
-        INFO("200 triangles, and 2^" << k << " times as large");
-        CHECK(test::or_say(grid.first == other.first, "`first` differs"));
-        CHECK(test::or_say(grid.items == other.items, "`items` differ"));
-        CHECK(test::or_say(grid.inner == other.inner, "`inner` differs"));
+TEST_CASE("by hand: four shapes are a crowd where three are allowed, and none where four are", "[09.13]") {
+    // Of five cells along x, the first has four small boxes side by side, the last a fifth.
+    std::vector<Bounds> bounds;
+    for (const Real x : {0.0, 0.1, 0.2, 0.3, 10.0}) bounds.push_back({{x, 0, 0}, {x + 0.01, 0.01, 0.01}});
+    const Overlaps along_x = [&](std::uint32_t i, const Bounds& box) {
+        return bounds[i].low.x <= box.high.x && box.low.x <= bounds[i].high.x;
+    };
+    const auto grid_with = [&](int crowd) {
+        return build_grid(bounds, along_x, {.density = 1, .crowd = crowd});
+    };
+    {
+        INFO("a cell with 4 shapes where `crowd` is 4: how many inner grids there are");
+        CHECK(grid_with(4).grids.size() == 0);
     }
+    const Grid grid = grid_with(3);
+    {
+        INFO(
+            "a cell with 4 shapes where `crowd` is 3: how many inner grids there are. Over these shapes it "
+            "has 4 "
+            "cells along x, which list one shape each: a quarter of them, which is not too much");
+        REQUIRE(grid.grids.size() == 1);
+    }
+    INFO("the inner grid over 4 shapes: how many cells it has along x, y and z");
+    CHECK(grid.grids[0].shape.cells == Cells(4, 1, 1));
 }
 
 TEST_CASE("a crowded cell gets a grid of its own, and no more of them than allowed", "[09.13]") {
@@ -549,11 +558,13 @@ TEST_CASE("a crowded cell gets a grid of its own, and no more of them than allow
         INFO("inner grids, where a cell is crowded");
         REQUIRE(nested.grids.size() > 0);
     }
-    {
-        INFO("how many grids are inside each other, the outermost counted; at most 4, then 2, then 1");
-        CHECK(depth_of(nested) <= 4);
-        CHECK(depth_of(grid_of(triangles, {.depth = 2})) == 2);
-        CHECK(depth_of(grid_of(triangles, {.depth = 1})) == 1);
+    for (const int most : {1, 2, 4}) {
+        INFO("how many grids are inside each other, the outermost counted, where `depth` allows "
+             << most << " of them");
+        if (most <= 2)
+            CHECK(depth_of(grid_of(triangles, {.depth = most})) == most);
+        else
+            CHECK(depth_of(grid_of(triangles, {.depth = most})) <= most);
     }
     {
         INFO("inner grids, where 1000 are not a crowd yet");
@@ -582,11 +593,56 @@ TEST_CASE("a crowd inside a crowd gets a grid inside the inner grid", "[09.13]")
             const Vec3 p = size * random.in_cube();
             triangles.push_back({p, p + 0.01 * size * random.in_cube(), p + 0.01 * size * random.in_cube()});
         }
-    INFO(
-        "a crowd inside a crowd: how many grids are inside each other, the outermost counted, where 3, then "
-        "where 2 are allowed");
-    CHECK(depth_of(grid_of(triangles, {.depth = 3})) == 3);
-    CHECK(depth_of(grid_of(triangles, {.depth = 2})) == 2);
+    for (const int most : {3, 2, 1}) {
+        INFO(
+            "a crowd inside a crowd inside a third: how many grids are inside each other, the outermost "
+            "counted, where `depth` allows "
+            << most << " of them");
+        CHECK(depth_of(grid_of(triangles, {.depth = most})) == most);
+    }
+}
+
+TEST_CASE("scenes without thickness, of one point, or of the same shape again and again get grids",
+          "[09.13]") {
+    Random random(910);
+    std::vector<Triangle> flat = some_triangles(random, 500);
+    for (Triangle& t : flat) t.a.y = t.b.y = t.c.y = 3;
+    const Grid sheet = grid_of(flat, {.nested = false});
+    {
+        INFO("500 triangles in a plane of constant y: how many cells there are along y");
+        CHECK(sheet.shape.cells.y == 1);
+    }
+    {
+        INFO("500 triangles in a plane of constant y: how many cells there are in all");
+        CHECK(total(sheet.shape.cells) > 1000);
+    }
+
+    const std::vector<Triangle> point(100, Triangle{Vec3(0.1), Vec3(0.1), Vec3(0.1)});
+    {
+        INFO("a hundred triangles in one point: how many cells there are along x, y and z");
+        CHECK(grid_of(point, {}).shape.cells == Cells(1));
+    }
+
+    const std::vector<Triangle> same(400, Triangle{{0, 0, 0}, {1, 1, 0}, {0, 1, 1}});
+    const Grid grid = grid_of(same, {});
+    INFO(same.size() << " times the same triangle: how many bytes the grid takes");
+    CHECK(bytes_of(grid) < 1000 * same.size());
+}
+
+TEST_CASE("a scene larger by a power of two gets the same grid", "[09.13]") {
+    Random random(911);
+    const std::vector<Triangle> triangles = some_triangles(random, 200);
+    const Grid grid = grid_of(triangles, {});
+    for (const int k : {-300, -40, 1, 40, 300}) {
+        std::vector<Triangle> scaled = triangles;
+        for (Triangle& t : scaled)
+            for (Vec3* p : {&t.a, &t.b, &t.c}) *p *= std::ldexp(1.0, k);
+        const Grid other = grid_of(scaled, {});
+        INFO("200 triangles, and 2^" << k << " times as large");
+        CHECK(test::or_say(grid.first == other.first, "`first` differs"));
+        CHECK(test::or_say(grid.items == other.items, "`items` differ"));
+        CHECK(test::or_say(grid.inner == other.inner, "`inner` differs"));
+    }
 }
 
 TEST_CASE("wherever a shape has a point, the cell there lists the shape, in inner grids too", "[09.13]") {

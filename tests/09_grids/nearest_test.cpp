@@ -38,6 +38,32 @@ SearchCounts counted(const Action& action) {
     return {search_counts().cells - before.cells, search_counts().shapes - before.shapes};
 }
 
+/// Which shapes a search asks along a row of cells, where a hit at t = `end` is known from the first on.
+std::vector<std::uint32_t> asked_along_x(const Grid& grid, Real end) {
+    std::vector<std::uint32_t> asked;
+    const auto ask = [&](std::span<const std::uint32_t> shapes, Interval) {
+        asked.insert(asked.end(), shapes.begin(), shapes.end());
+        return end;
+    };
+    search(grid, {{0, 0.5, 0.5}, {1, 0, 0}}, {}, ask);
+    return asked;
+}
+
+/// Three cells of edge 1 along x. The first lists shape 0, the third shape 2; the second has a grid that
+/// takes up its first half, and lists shape 1.
+Grid with_grid_in_second_cell() {
+    Grid grid, inner;
+    grid.shape = {{Vec3(0), {3, 1, 1}}, {3, 1, 1}};
+    grid.first = {0, 1, 1, 2};
+    grid.items = {0, 2};
+    grid.inner = {0, 1, 0};
+    inner.shape = {{{1, 0, 0}, {1.5, 1, 1}}, {1, 1, 1}};
+    inner.first = {0, 1};
+    inner.items = {1};
+    grid.grids = {inner};
+    return grid;
+}
+
 /// How many shapes the mailbox's last ray asked.
 std::uint64_t marked(const Mailbox& mailbox) {
     return static_cast<std::uint64_t>(std::ranges::count(mailbox.asked_by, mailbox.ray));
@@ -124,11 +150,7 @@ TEST_CASE("the search goes on to the cell of the hit, and no farther", "[09.12]"
     grid.items = {0, 1};
     const auto check = [&](Real end, std::uint64_t cells, const std::vector<std::uint32_t>& expected) {
         std::vector<std::uint32_t> asked;
-        const auto ask = [&](std::span<const std::uint32_t> shapes, Interval) {
-            asked.insert(asked.end(), shapes.begin(), shapes.end());
-            return end;
-        };
-        const SearchCounts counts = counted([&] { search(grid, {{0, 0.5, 0.5}, {1, 0, 0}}, {}, ask); });
+        const SearchCounts counts = counted([&] { asked = asked_along_x(grid, end); });
         INFO("a row of 8 cells of edge 1; shape 0, in the first, is hit at t = " << end);
         {
             INFO("which shapes are asked");
@@ -285,6 +307,50 @@ TEST_CASE("the numbers of rays begin anew after 2^32, and no old note is taken f
         REQUIRE(hit);
         CHECK(hit->primitive == 0);
     }
+}
+
+TEST_CASE("by hand: the search goes on to the cell of the hit, also if that has a grid of its own",
+          "[09.14]") {
+    Grid grid = with_grid_in_second_cell();
+    const auto check = [&](Real end, const std::vector<std::uint32_t>& expected) {
+        const std::vector<std::uint32_t> asked = asked_along_x(grid, end);
+        INFO(
+            "three cells of edge 1 along the ray; the second has a grid in its first half, up to t = 1.5; "
+            "the nearest hit is at t = "
+            << end << ": which shapes are asked, one in each cell");
+        CHECK(test::or_say(asked == expected, show(asked) + ", expected " + show(expected)));
+    };
+    check(0.5, {0});
+    check(1.25, {0, 1});
+    // In the second cell, but not in its grid.
+    check(1.75, {0, 1});
+    check(2.5, {0, 1, 2});
+    check(infinity, {0, 1, 2});
+    // The ray passes beside the inner grid.
+    grid.grids[0].shape.box.high.y = 0.25;
+    check(1.25, {0});
+    check(2.5, {0, 2});
+}
+
+TEST_CASE("by hand: an inner grid is searched within the range", "[09.14]") {
+    const Grid grid = with_grid_in_second_cell();
+    std::vector<Interval> parts;
+    const auto ask = [&](std::span<const std::uint32_t>, Interval t) {
+        parts.push_back(t);
+        return infinity;
+    };
+    search(grid, {{0, 0.5, 0.5}, {1, 0, 0}}, {1.125, 1.25}, ask);
+    INFO("a ray in the range (1.125, 1.25] that is all in one cell of an inner grid");
+    {
+        INFO("how many cells are asked");
+        REQUIRE(parts.size() == 1);
+    }
+    {
+        INFO("where the part of the ray begins that is in this cell and in the range");
+        CHECK(parts[0].min == 1.125);
+    }
+    INFO("where that part ends");
+    CHECK(parts[0].max == 1.25);
 }
 
 TEST_CASE("behind an inner grid, and behind the shapes in it, the search goes on", "[09.14]") {

@@ -17,6 +17,23 @@ void check_cells(const GridShape& shape, const Ray& ray, const std::vector<Cells
     CHECK(or_say(cells == expected, first_difference(cells, expected) + "\nvisited: " + show_all(cells)));
 }
 
+/// The part of the ray that is in the cell of one of `count` visits, numbered from 0.
+void check_visit(const std::vector<CellVisit>& visits, int number, int count, Interval expected) {
+    {
+        INFO("how many cells are visited");
+        REQUIRE(visits.size() == static_cast<std::size_t>(count));
+    }
+    const CellVisit& visit = visits[static_cast<std::size_t>(number)];
+    const std::string which =
+        "visit " + show(number + 1) + " of " + show(count) + ", cell " + show(visit.cell);
+    {
+        INFO(which << ": the t at which the ray enters the cell");
+        CHECK(near(visit.t.min, expected.min, 16 * unit_roundoff * expected.min));
+    }
+    INFO(which << ": the t at which the ray leaves the cell, or the range ends");
+    CHECK(near(visit.t.max, expected.max, 16 * unit_roundoff * expected.max));
+}
+
 /// Whether the visits follow one another and the ray.
 void check_no_fault(const GridShape& shape, const Ray& ray, const std::vector<CellVisit>& visits) {
     const std::string fault = fault_of(shape, ray, visits);
@@ -177,14 +194,10 @@ TEST_CASE("a ray along an axis visits a row of cells", "[09.11]") {
     const GridShape shape = unit_cells({4, 3, 3});
     const Ray ray{{-1, 1.5, 0.5}, {1, 0, -0.0}};
     check_cells(shape, ray, {{0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {3, 1, 0}});
-    const std::vector<CellVisit> visits = cells_along(shape, ray, {});
     {
-        INFO("the t at which the "
-             << ray << " enters the first of 4 cells of edge 1, enters the second, leaves the last");
-        REQUIRE(visits.size() == 4);
-        CHECK(visits[0].t.min == Approx(1));
-        CHECK(visits[1].t.min == 2);
-        CHECK(visits[3].t.max == Approx(5));
+        const std::vector<CellVisit> visits = cells_along(shape, ray, {});
+        INFO("the walk of the " << ray << " through a row of 4 cells of edge 1");
+        for (int k = 0; k < 4; ++k) check_visit(visits, k, 4, {k + 1.0, k + 2.0});
     }
     // And back.
     check_cells(shape, {{9, 1.5, 0.5}, {-2, 0, 0}}, {{3, 1, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}});
@@ -196,10 +209,8 @@ TEST_CASE("a slanted ray takes one step at a time", "[09.11]") {
     check_cells(unit_cells({4, 4, 1}), ray,
                 {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 1, 0}, {3, 1, 0}, {3, 2, 0}});
     const std::vector<CellVisit> visits = cells_along(unit_cells({4, 4, 1}), ray, {});
-    INFO("the t at which the " << ray << " enters and leaves the third of six cells");
-    REQUIRE(visits.size() == 6);
-    CHECK(visits[2].t.min == 1.5);
-    CHECK(visits[2].t.max == 2);
+    INFO("the walk of the " << ray << " through 4 x 4 cells of edge 1");
+    check_visit(visits, 2, 6, {1.5, 2});
 }
 
 TEST_CASE("the range cuts the walk", "[09.11]") {
@@ -213,6 +224,15 @@ TEST_CASE("the range cuts the walk", "[09.11]") {
     check_cells(shape, {{0, 2, 0}, {1, 0, 0}}, {});
     check_cells(shape, {{5.5, 0.5, 0.5}, {1, 0, 0}},
                 {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}}, {-infinity, 0});
+}
+
+TEST_CASE("the first visit begins where the range does, and the last one ends with it", "[09.11]") {
+    const Ray ray{{0, 0.5, 0.5}, {1, 0, 0}};
+    const std::vector<CellVisit> visits = cells_along(unit_cells({8, 1, 1}), ray, {2.5, 4.25});
+    INFO("the walk of the " << ray << " in (2.5, 4.25] through a row of 8 cells of edge 1");
+    check_visit(visits, 0, 3, {2.5, 3});
+    check_visit(visits, 1, 3, {3, 4});
+    check_visit(visits, 2, 3, {4, 4.25});
 }
 
 TEST_CASE("from a face, an edge or a corner of a cell the walk goes on from there", "[09.11]") {

@@ -89,7 +89,20 @@ TEST_CASE("within counts pixels by their greatest channel, as the display shows 
     CHECK(c.within16[255] == 0.75);  // light(5) · 65535 = 99.5; white is 65535 steps away
     CHECK(c.within16[99] == 0.5);
     CHECK(c.max == 1);
+    CHECK(c.shown_max == Approx(1));
     CHECK(c.worst_x == 3);
+    // Of light that is bright, steps of a display are larger.
+    const Comparison bright = compare(filled(1, 1, Vec3(1)), filled(1, 1, Vec3(light(254))));
+    CHECK(bright.shown_max == Approx(1 / Real(255)));
+    CHECK(bright.max > 2 / Real(255));
+    CHECK(bright.within[1] == 1);
+}
+
+TEST_CASE("only all pixels are 100 %") {
+    CHECK(percent(1) == "100 %");
+    CHECK(percent(0.999999) == "99.99 %");
+    CHECK(percent(0.5) == "50.00 %");
+    CHECK(percent(0) == "0.00 %");
 }
 
 TEST_CASE("8-bit pictures are judged by their 8 bits, in their encoding") {

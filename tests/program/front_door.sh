@@ -123,6 +123,41 @@ cp "$COURSE_ROOT/course" "$machine/it's"
 said=$(cd "$machine/it's" && PATH=$machine/bin ./course list 2>&1) && fail "a path that Ninja cannot follow" "$said"
 [[ $said == *"Rename the folder." ]] || fail "a path that Ninja cannot follow is named" "$said"
 
+# The build is asked only when something of what the program is made of has changed. Until here there was no find.
+ln -s "$(command -v find)" "$machine/bin/find"
+mkdir -p "$machine/tree/common/math" "$machine/tree/chapters/01_a"
+: >"$machine/tree/common/math/x.cpp"
+: >"$machine/tree/chapters/01_a/x.hpp"
+# expect_build NAME YES-OR-NO: whether the next command asks for a build.
+expect_build() {
+    local asked=no
+    : >"$machine/asked"
+    expect "$1" 0 "^program: list$" list
+    if grep -q 'cmake --build' "$machine/asked"; then asked=yes; fi
+    [ $asked = "$2" ] || fail "$1: asks for a build: $asked, expected $2" "$(cat "$machine/asked")"
+}
+expect_build "what was never built with its stamp" yes
+expect_build "nothing has changed" no
+: >"$machine/tree/chapters/01_a/x.cpp"
+expect_build "what students write is no part of the program" no
+touch -d '1 day ago' "$machine/tree/common/math/x.cpp"
+expect_build "a file that was replaced by an older one" yes
+rm "$machine/tree/common/math/x.cpp"
+expect_build "a file that was deleted" yes
+: >"$machine/tree/chapters/01_a/y.hpp"
+expect_build "a contract that is new" yes
+rm "$machine/tree/chapters/01_a/y.hpp"
+expect_build "and one that was deleted" yes
+rm "$machine/tree/build/bin/course"
+expect_build "the program itself" yes
+: >"$machine/tree/CMakeLists.txt"
+: >"$machine/broken_build"
+expect "a build that breaks" 1 "no good" tour
+rm "$machine/broken_build"
+expect_build "leaves no stamp" yes
+expect_build "and one that succeeds does" no
+rm "$machine/bin/find"
+
 : >"$machine/broken_build"
 expect "a broken build shows the error" 1 "y.cpp:1:2: error: no good" tour
 expect "and nothing else runs" 1 "all of it: .*build.log" tour

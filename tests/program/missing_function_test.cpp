@@ -35,6 +35,8 @@ TEST_CASE("the step of a missing function is told, and how it comes back") {
           "chapters/02_spheres/x.cpp has no function Roots roots(Real a, Real b) of step 02.1; if it was "
           "deleted, "
           "./course reset 02.1 puts it back, and changes nothing else");
+    CHECK(tree.words("x.o:x.cpp:function rt::g(): error: undefined reference to 'rt::roots(double, double)'")
+              .find("of step 02.1") != std::string::npos);
     CHECK(tree.words("ld.lld: error: undefined symbol: rt::roots(double, double)").find("of step 02.1") !=
           std::string::npos);
 }

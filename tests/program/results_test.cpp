@@ -202,6 +202,36 @@ TEST_CASE("there is one next action") {
     CHECK(next().find("mend step 02.2") == 0);
 }
 
+TEST_CASE("between two chapters, what is optional in the first is named") {
+    const Tree tree;
+    std::vector<Chapter> chapters(2);
+    std::vector<KnownResult> known(2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        chapters[i] = tree.chapter();
+        chapters[i].number = i == 0 ? "02" : "03";
+        known[i] = {all_todo(chapters[i]), true};
+    }
+    const auto next = [&] { return next_action(tree.project, chapters, known); };
+    std::vector<StepResult>& first = known[0].result.steps;
+    std::vector<StepResult>& second = known[1].result.steps;
+    first = {{"02.1", State::Passed, ""}, {"02.2", State::Todo, "", "", true}};
+    CHECK_THAT(next(), Catch::StartsWith("read chapters/02_spheres/README.md and write step 02.1") &&
+                           Catch::EndsWith("; or first step 02.2, which is optional"));
+    // Neither after it has passed, nor once the second chapter is begun.
+    first[1].state = State::Passed;
+    CHECK_THAT(next(), !Catch::Contains("optional"));
+    first[1].state = State::Todo;
+    second[0].message = "begun: 1 of 2 tests pass";
+    CHECK_THAT(next(), !Catch::Contains("optional"));
+    second[0] = {"02.1", State::Passed, ""};
+    CHECK_THAT(next(), !Catch::Contains("optional"));
+    second = all_todo(chapters[1]).steps;
+    first = {{"02.1", State::Passed, ""},
+             {"02.2", State::Todo, "", "", true},
+             {"02.3", State::Todo, "", "", true}};
+    CHECK_THAT(next(), Catch::EndsWith("; or first steps 02.2 and 02.3, which are optional"));
+}
+
 TEST_CASE("a chapter is complete without its optional steps, but not while one of them is wrong") {
     ChapterResult result{
         "02_spheres", "", {{"02.1", State::Passed, ""}, {"02.2", State::Todo, "", "", true}}};
@@ -266,6 +296,15 @@ TEST_CASE("the compiler's first error is found among what a build says") {
                       "exit status\n") == "the function f() is called, and nowhere written");
     CHECK(first_error(project, "/usr/bin/ld: x.o: multiple definition of `f()'\n") ==
           "/usr/bin/ld: x.o: multiple definition of `f()'");
+    // Gold says "error", as a compiler does, which comes first where there is one.
+    const std::string gold =
+        "/usr/bin/ld.gold: error: x.o: multiple definition of 'f()'\n"
+        "/usr/bin/ld.gold: y.o: previous definition here\n";
+    CHECK(first_error(project, gold) == "/usr/bin/ld.gold: error: x.o: multiple definition of 'f()'");
+    CHECK(first_error(project, "y.o:/home/course/y.cpp:12: error: undefined reference to 'f()'\n") ==
+          "the function f() is called, and nowhere written");
+    const std::string twice = "x.cpp:3:7: error: multiple definition of 'struct S'";
+    CHECK(first_error(project, gold + twice + "\n") == twice);
     CHECK(first_error(project, "first\nlast\n") == "last");
 }
 

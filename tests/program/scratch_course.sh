@@ -71,7 +71,8 @@ cat >chapters/$name/chapter.json <<'END'
 {"title": "Tiny", "summary": "The least chapter.", "hours": 1,
  "steps": [
   {"id": "99.1", "title": "Next", "file": "tiny.cpp", "points": 1, "hints": ["first", "second", "third"]},
-  {"id": "99.2", "title": "After next", "file": "tiny.cpp", "points": 2, "uses": ["99.1"], "hints": ["a", "b", "c"]}],
+  {"id": "99.2", "title": "After next", "file": "tiny.cpp", "points": 2, "uses": ["99.1"],
+   "picture": "one.scene", "hints": ["a", "b", "c"]}],
  "scenes": ["one.scene"]}
 END
 cat >references/$name/one.scene <<'END'
@@ -165,10 +166,13 @@ start_again; set_step 99.1 'volatile int k = n; return next(n + 1) + k;'; set_st
 sed -i 's/^namespace rt/#pragma GCC diagnostic warning "-Wreturn-type"\n#pragma GCC diagnostic warning "-Winfinite-recursion"\n&/' $exercise
 expect "a recursion without end" 1 " next called itself without end, $exercise:$(line_of 'next\(n . 1\)')$" ./course check 99
 expect "the compiler warns of a missing return" 1 "$exercise:[0-9:]+ warning: .*-Wreturn-type" build/bin/course check 99
+expect "and tells other programs" 1 '"warnings":\["'"$exercise"'[^]]*-Wreturn-type' build/bin/course check 99 --json
 start_again; set_step 99.1 'std::printf("n is %d\\n", n); return n + 1;'
 sed -i 's/^namespace rt/#include <cstdio>\n&/' $exercise
 expect "what they print is shown" 1 "^ *n is 1$" ./course check 99
 expect "with its test" 1 'Printed in the test "after one comes two"' build/bin/course check 99
+expect "to other programs as well" 1 '"prints":\[\{"test":"after one comes two","lines":\["n is 1"' \
+    build/bin/course check 99 --json
 start_again; sed -i '/^int next/,/^$/d' $exercise
 expect "a function that was deleted is named" 1 "has no function int next\(int n\) of step 99.1; .*reset 99.1" \
     ./course check 99
@@ -260,6 +264,12 @@ expect "no spoiling" 1 "./course solution 99.1 --spoil" ./course solution 99.1
 set_step 99.1 'return 1 + n;'; set_step 99.2 'return n + 2;'
 expect "all passes, and there is a picture" 0 "Your picture: build/pictures/$name/one.png" ./course check 99
 [ -s build/pictures/$name/one.png ] || fail "the picture is there"
+expect "other programs are told where" 0 '"prints":\[.*"warnings":\[\],"picture":"build/pictures/'"$name"'/one.png"' \
+    ./course check 99 --json
+expect "a step that passes has a picture of its own" 0 "Your picture: build/pictures/$name/99.2.png" \
+    ./course check 99.2
+[ -s build/pictures/$name/99.2.png ] || fail "the picture is there"
+expect "one that names none, the chapter's" 0 "Your picture: build/pictures/$name/one.png" ./course check 99.1
 expect "both are shown after passing" 0 "return 1 \+ n;" ./course solution 99.1
 expect "a render says whose code it used" 0 "your code for 99, solutions for the rest" \
     ./course render references/$name/one.scene -o mine.png

@@ -113,6 +113,53 @@ TEST_CASE("what a light gives names its step") {
     }
 }
 
+TEST_CASE("the lobe of a finish names its own step, and what that uses") {
+    const std::vector<std::pair<std::string, std::vector<std::string>>> finishes = {
+        {"matte", {"11.15"}},
+        {"metal", {"11.16"}},
+        {"glass", {"07.3", "11.16", "11.18"}},
+        {"velvet", {"11.20"}},
+        {"coated", {"07.3", "11.22"}}};
+    const std::vector<std::string> steps{"07.3", "11.15", "11.16", "11.18", "11.20", "11.22"};
+    for (const auto& [kind, makers] : finishes)
+        for (const char* quantity : {"lobe", "contribution"}) {
+            ordered_json theirs = tree();
+            theirs["rays"][0]["finish"] = {{"kind", kind}, {"roughness", 0.5}};
+            theirs["rays"][0]["lights"][0]["lobe"] = {0.2, 0.2, 0.2};
+            ordered_json mine = theirs;
+            mine["rays"][0]["lights"][0][quantity] = {0.1, 0.1, 0.1};
+            const auto difference = first_difference(mine, theirs);
+            REQUIRE(difference);
+            for (const std::string& step : steps) {
+                INFO(kind << ", " << quantity << ": whether " << step << " is blamed");
+                const bool is_maker = std::ranges::find(makers, step) != makers.end();
+                CHECK(look_at(*difference, {{step, "x.cpp"}}) == (is_maker ? step : "none"));
+            }
+        }
+}
+
+TEST_CASE("a ray that a facet or a lobe sends on names who made it") {
+    const auto blamed = [](const char* spreads, const char* key, const ordered_json& value,
+                           const std::string& step) {
+        ordered_json theirs = tree();
+        theirs["rays"][0][spreads] = 0.3;
+        ordered_json mine = theirs;
+        mine["rays"][1][key] = value;
+        const auto difference = first_difference(mine, theirs);
+        REQUIRE(difference);
+        return look_at(*difference, {{step, "x.cpp"}}) == step;
+    };
+    const ordered_json direction{0.0, 1.0, 0.0}, weight{0.1, 0.1, 0.1};
+    for (const char* step : {"11.17", "07.1", "07.5"}) CHECK(blamed("facets", "direction", direction, step));
+    for (const char* step : {"11.19", "12.16", "12.19"})
+        CHECK_FALSE(blamed("facets", "direction", direction, step));
+    for (const char* step : {"12.16", "12.19", "07.1", "07.5"})
+        CHECK(blamed("gloss", "direction", direction, step));
+    CHECK_FALSE(blamed("gloss", "direction", direction, "12.17"));
+    CHECK(blamed("facets", "weight", weight, "11.16"));
+    CHECK_FALSE(blamed("gloss", "weight", weight, "11.16"));
+}
+
 TEST_CASE("only a step that fails is proposed, and of several the part before what is made of it") {
     ordered_json mine = tree();
     mine["rays"][0]["lights"][0]["contribution"] = {0.1, 0.1, 0.1};
