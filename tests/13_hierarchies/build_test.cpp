@@ -233,8 +233,13 @@ TEST_CASE("codes of points outside, and in flat boxes", "[13.12]") {
         INFO("a point beyond the high corner has the code of that");
         CHECK(morton_code(box, Vec3(5)) == (std::uint64_t{1} << 63) - 1);
     }
-    INFO("the middle of a box that is flat along y");
-    CHECK(morton_code(flat, {0, 2, 0}) == (std::uint64_t{5} << 60));
+    {
+        INFO("the middle of a box that is flat along y, and a point above it");
+        CHECK(morton_code(flat, {0, 2, 0}) == (std::uint64_t{5} << 60));
+        CHECK(morton_code(flat, {0, 3, 0}) == (std::uint64_t{5} << 60));
+    }
+    INFO("the middle of a small box, from 0 to 0.25");
+    CHECK(morton_code({Vec3(0), Vec3(0.25)}, Vec3(0.125)) == (std::uint64_t{7} << 60));
 }
 
 TEST_CASE("a tree by codes", "[13.12]") {

@@ -152,6 +152,27 @@ TEST_CASE("every method makes a right tree of random boxes", "[13.10]") {
         }
 }
 
+TEST_CASE("where 64 splits have led to a node its shapes are parted in halves", "[13.10]") {
+    // Each cube is half as large as the one before it, and nearer to 0: a sweep parts a few large ones at a
+    // time.
+    for (const Real side : {1, -1}) {
+        std::vector<Bounds> boxes;
+        for (int k = 0; k < 500; ++k) {
+            const Real size = std::ldexp(Real(1), -k);
+            boxes.push_back({Vec3(side * 3 * size, 0, 0) - size, Vec3(side * 3 * size, 0, 0) + size});
+        }
+        const Hierarchy tree =
+            build_hierarchy(boxes, {.method = SplitMethod::Sweep, .most = 1, .costs = {0.01, 1}});
+        INFO("500 cubes around x = " << side * 3 << ", " << side * 1.5
+                                     << " and so on, each half as large as the one "
+                                     << "before it, by a sweep: what the contract says of the tree");
+        REQUIRE(is_right(tree, boxes, 1));
+        INFO("how deep the deepest leaf is: deeper than 64, where halves begin, and no deeper than 96");
+        CHECK(depth_of(tree) > 64);
+        CHECK(depth_of(tree) <= 96);
+    }
+}
+
 TEST_CASE("the nearest of a row of spheres, by bins", "[13.10]") {
     const std::vector<Sphere> spheres = row_of_spheres();
     check_row(build_hierarchy(spheres), spheres);
