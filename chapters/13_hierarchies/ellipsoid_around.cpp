@@ -12,13 +12,24 @@
 namespace rt {
 namespace {
 
-/// For each point (p − mean)ᵀ · covariance⁻¹ · (p − mean).
-std::vector<Real> squares_of(std::span<const Vec3> points, const WeightedSpread& spread) {
-    const Mat3 inverse = glm::inverse(spread.covariance);
+/// The roots of the covariance along its principal axes, as far as the points are spread there.
+Vec3 reach_along(const Mat3& axes, const Mat3& covariance) {
+    Vec3 reach;
+    for (int k = 0; k < 3; ++k) reach[k] = std::sqrt(dot(axes[k], covariance * axes[k]));
+    return reach;
+}
+
+/// For each point (p − mean)ᵀ · covariance⁻¹ · (p − mean). Along the principal axes: the inverse of the
+/// matrix as it stands has no right digit where points are nearly on a line.
+[[maybe_unused]] std::vector<Real> squares_of(std::span<const Vec3> points, const WeightedSpread& spread) {
+    const Mat3 turned = principal_axes(spread.covariance);
+    const Vec3 unit = Real(1) / reach_along(turned, spread.covariance);
     std::vector<Real> squares;
     squares.reserve(points.size());
-    for (const Vec3& point : points)
-        squares.push_back(dot(point - spread.mean, inverse * (point - spread.mean)));
+    for (const Vec3& point : points) {
+        const Vec3 place = (point - spread.mean) * turned * unit;
+        squares.push_back(dot(place, place));
+    }
     return squares;
 }
 
@@ -44,10 +55,9 @@ std::vector<Real> ellipsoid_weights(std::span<const Vec3> points, Real tolerance
 }
 
 BoundingEllipsoid ellipsoid_of(std::span<const Vec3> points, std::span<const Real> weights) {
-    const WeightedSpread spread = spread_of(points, weights);
-    // 13.23  Return the ellipsoid. Along the principal axes of the covariance (13.18) it reaches as
-    // far as the root of the covariance there, times a factor that is the same for all, and as great as the
-    // points need.
+    // 13.23  Return the ellipsoid. `spread_of` is its centre and shape: along the principal axes of
+    // the covariance (13.18) it reaches as far as the root of the covariance there, times a factor that is
+    // the same for all, and as great as the points need.
     return todo("13.23");
 }
 

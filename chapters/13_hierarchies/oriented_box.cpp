@@ -31,7 +31,6 @@ Mat3 covariance(std::span<const Vec3> points) {
 }
 
 Mat3 principal_axes(const Mat3& matrix) {
-    Mat3 m = matrix, axes(1);
     // 13.18  Return the axes. Turn about one axis after another, each time so that the element
     // beside the diagonal that belongs to the other two axes becomes 0. That spoils those that were 0 before,
     // but less each time: a few rounds are enough.
@@ -51,7 +50,6 @@ Real half_area(const OrientedBox& box) {
 }
 
 Mat3 refined_axes(const Mat3& start, std::span<const Vec3> points) {
-    Mat3 axes = start;
     // 13.20  Return the turned axes. `turned` turns about one of them.
     return todo("13.20");
 }

@@ -77,7 +77,9 @@ void write_picture(Author& a) {
         a.line("maxdepth {}", a.depth);
     }
     if (a.chance(0.1)) a.line("mincontribution {:.3g}", a.tame ? 0 : a.uniform(0.001, 0.1));
-    if (a.chance(0.2)) a.line("accelerator {}", a.one_of({"auto", "none", "grid", "nested", "bvh"}));
+    if (a.chance(0.2))
+        a.line("accelerator {}",
+               a.one_of({"auto", "none", "grid", "nested", "bvh", "spheres", "obb", "ellipsoids"}));
 }
 
 /// Only patterns that POV-Ray can repeat: random samples are not equal to any others.

@@ -24,7 +24,7 @@ inline constexpr AcceleratorWord accelerator_words[] = {
     {"none", AcceleratorChoice::None, "nothing", ""},
     {"grid", AcceleratorChoice::Grid, "one uniform grid over each kind of shape and each shared mesh", "09"},
     {"nested", AcceleratorChoice::Nested, "the same, and crowded cells have grids of their own", "09"},
-    {"bvh", AcceleratorChoice::Bvh, "a hierarchy of boxes over each of them; `auto` tries none of these", "13"},
+    {"bvh", AcceleratorChoice::Bvh, "a hierarchy of boxes over each of them; `auto` does not try it", "13"},
     {"spheres", AcceleratorChoice::Spheres, "the same hierarchy with spheres for boxes", "13"},
     {"obb", AcceleratorChoice::OrientedBoxes, "the same with boxes that have axes of their own", "13"},
     {"ellipsoids", AcceleratorChoice::Ellipsoids, "the same with ellipsoids", "13"},

@@ -38,10 +38,10 @@ Mat3 covariance(std::span<const Vec3> points) {
 }
 
 Mat3 principal_axes(const Mat3& matrix) {
-    Mat3 m = matrix, axes(1);
     // [exercise 13.18] Return the axes. Turn about one axis after another, each time so that the element
     // beside the diagonal that belongs to the other two axes becomes 0. That spoils those that were 0 before,
     // but less each time: a few rounds are enough.
+    Mat3 m = matrix, axes(1);
     for (int round = 0; round < 16; ++round)
         for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
             if (m[i][j] == 0) continue;
@@ -82,8 +82,8 @@ Real half_area(const OrientedBox& box) {
 }
 
 Mat3 refined_axes(const Mat3& start, std::span<const Vec3> points) {
-    Mat3 axes = start;
     // [exercise 13.20] Return the turned axes. `turned` turns about one of them.
+    Mat3 axes = start;
     Real least = half_area(box_along(axes, points));
     for (Real angle = pi / 8; angle > pi / 256; angle /= 2)
         for (bool better = true; better;) {
