@@ -24,12 +24,8 @@ using teapot::teapot_of;
 
 namespace {
 
-/// Numbers of the lesson that have no figure of their own: what each is, and its value.
-std::string numbers = "name,value\n";
-template <class Value>
-void note_number(const std::string& name, const Value& value) {
-    numbers += fmt::format("{},{}\n", name, value);
-}
+/// Numbers of the lesson that have no figure of their own.
+Numbers numbers;
 
 /// The ways of parting the shapes of a node, as the lesson calls them.
 struct NamedMethod {
@@ -106,7 +102,7 @@ void draw_levels(const Path& directory) {
     for (const int depth : {3, 6, 9, 12}) {
         std::vector<Bounds> boxes;
         boxes_below(tree, 0, depth, boxes);
-        note_number(fmt::format("boxes at depth {}", depth), boxes.size());
+        numbers.add(fmt::format("boxes at depth {}", depth), boxes.size());
         std::string scene =
             "size 346 210\ncamera 1.5 3.6 9.6  .25 1.4 0  0 1 0  31\nbackground .9 .93 .96\n"
             "directional .5 1 .7  1 .96 .9\ndirectional -.8 .3 .5  .2 .24 .3\nambient .12 .12 .12\n"
@@ -254,8 +250,8 @@ void draw_tree(const Path& directory) {
             text(svg, spot(places[i]) + Vec2(0, 34), std::to_string(tree.items[tree.nodes[i].first]),
                  middle(SvgFont{.size = 16, .italic = true}));
     }
-    note_number("nodes entered among the discs", entered);
-    note_number("nodes among the discs", tree.nodes.size());
+    numbers.add("nodes entered among the discs", entered);
+    numbers.add("nodes among the discs", tree.nodes.size());
     write_svg(directory / "tree.svg", svg);
 }
 
@@ -292,8 +288,8 @@ void draw_area(const Path& directory) {
         dot_at(svg, plot.place(volume, share), red, 4);
         dot_at(svg, plot.place(area, share), blue, 4);
     }
-    note_number("lines at the cube", lines.size());
-    note_number("farthest from the share of the area", fmt::format("{:.4f}", worst));
+    numbers.add("lines at the cube", lines.size());
+    numbers.add("farthest from the share of the area", fmt::format("{:.4f}", worst));
     text(svg, plot.place(0.36, 0.32), "area", colored(SvgFont{.size = 17, .bold = true}, blue));
     text(svg, plot.place(0.06, 0.35), "volume", colored(SvgFont{.size = 17, .bold = true}, red));
     write_file(directory / "area.csv", csv);
@@ -334,10 +330,10 @@ void draw_cut(const Path& directory) {
         csv += fmt::format("{},{:.2f}\n", i, cost);
         curve.push_back({(middle_of(boxes[i - 1]).x + middle_of(boxes[i]).x) / 2, cost});
     }
-    note_number("shapes of the street", boxes.size());
-    note_number("shapes before the cheapest cut", best.at);
-    note_number("cost of the cheapest cut", fmt::format("{:.2f}", best.cost));
-    note_number("cost of halves", fmt::format("{:.2f}", curve[boxes.size() / 2 - 1].y));
+    numbers.add("shapes of the street", boxes.size());
+    numbers.add("shapes before the cheapest cut", best.at);
+    numbers.add("cost of the cheapest cut", fmt::format("{:.2f}", best.cost));
+    numbers.add("cost of halves", fmt::format("{:.2f}", curve[boxes.size() / 2 - 1].y));
     write_file(directory / "cut.csv", csv);
 
     Svg svg{.width = 700, .height = 440};
@@ -426,7 +422,7 @@ void draw_stadium(const Path& directory) {
     measure("bins", built(boxes, SplitMethod::Bins), true);
     measure("codes", built(boxes, SplitMethod::Codes), false);
     for (const NamedMethod& way : methods)
-        note_number(fmt::format("depth of the deepest large box by {}", way.name),
+        numbers.add(fmt::format("depth of the deepest large box by {}", way.name),
                     deepest_large_box(built(boxes, way.method)));
     write_file(directory / "stadium.csv", csv);
     nodes_images.insert(nodes_images.end(), shapes_images.begin(), shapes_images.end());
@@ -569,7 +565,7 @@ void draw_predictions(const Path& directory) {
     measure("cloud", shapes_of<Triangle>(world_of(scene_of_grids("cloud", 64, 48))));
     measure("needles", shapes_of<Triangle>(world_of(scene_beside(__FILE__, "needles"))));
     measure("city", shapes_of<Box>(world_of(scene_beside(__FILE__, "city"))));
-    note_number("lines farthest from their prediction (percent)", fmt::format("{:.2g}", 100 * worst));
+    numbers.add("lines farthest from their prediction (percent)", fmt::format("{:.2g}", 100 * worst));
     int row = 0;
     for (const NamedMethod& way : methods) {
         const Vec2 p(585, 90 + 26 * row++);
@@ -641,8 +637,8 @@ void note_twist_and_back(const std::vector<Triangle>& teapot) {
         for (std::size_t i = 0; i < now.nodes.size(); ++i)
             swollen.nodes[i].box = merge(swollen.nodes[i].box, now.nodes[i].box);
     }
-    note_number("cost when all is as it was", fmt::format("{:.1f}", predicted_cost(tree)));
-    note_number("cost when boxes have only grown", fmt::format("{:.1f}", predicted_cost(swollen)));
+    numbers.add("cost when all is as it was", fmt::format("{:.1f}", predicted_cost(tree)));
+    numbers.add("cost when boxes have only grown", fmt::format("{:.1f}", predicted_cost(swollen)));
 }
 
 void draw_motion(const Path& directory) {
@@ -730,7 +726,7 @@ void count_orders() {
         std::ptrdiff_t entered = 0;
         for (const Ray& ray : rays)
             entered += std::ranges::count(way_of(tree, triangles, ray, walk).fate, Fate::Entered);
-        note_number(fmt::format("nodes a ray with children {}", name),
+        numbers.add(fmt::format("nodes a ray with children {}", name),
                     fmt::format("{:.1f}", static_cast<Real>(entered) / static_cast<Real>(rays.size())));
     }
 }
@@ -764,8 +760,8 @@ void draw_curve_of_codes(const Path& directory) {
 }
 
 void draw(const Path& directory) {
-    note_number("deepest leaf", deepest_leaf);
-    note_number("bytes a node", sizeof(HierarchyNode));
+    numbers.add("deepest leaf", deepest_leaf);
+    numbers.add("bytes a node", sizeof(HierarchyNode));
     draw_levels(directory);
     draw_tree(directory);
     draw_first_leaf(directory);
@@ -779,7 +775,7 @@ void draw(const Path& directory) {
     draw_motion(directory);
     draw_curve_of_codes(directory);
     draw_volumes(directory);
-    write_file(directory / "numbers.csv", numbers);
+    numbers.write(directory);
     draw_scenes(directory, __FILE__, {"city", "forest", "needles", "swarm"}, 240, 180);
 }
 
