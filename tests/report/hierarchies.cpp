@@ -4,6 +4,7 @@
 #include "chapters/03_triangles/triangle.hpp"
 #include "chapters/09_grids/walk.hpp"
 #include "chapters/13_hierarchies/build.hpp"
+#include "chapters/13_hierarchies/volumes.hpp"
 #include "chapters/13_hierarchies/walk.hpp"
 #include "tests/report/cpu_clock.hpp"
 #include "tests/report/grids.hpp"
@@ -139,6 +140,13 @@ std::vector<Way> ways() {
             return build_hierarchy(triangles, {.method = method, .most = most});
         };
     };
+    const auto volumes = [](auto around) {
+        return [=](std::span<const Triangle> triangles) -> Accelerator {
+            ShapePoints points;
+            for (const Triangle& triangle : triangles) add_points(points, triangle, bounds_of(triangle));
+            return around(build_hierarchy(triangles), points);
+        };
+    };
     return {
         {"every triangle", [](std::span<const Triangle>) { return Accelerator(); }},
         {"grid", [](std::span<const Triangle> t) -> Accelerator { return grid_over(t, false); }},
@@ -146,7 +154,10 @@ std::vector<Way> ways() {
         {"hierarchy by halves", tree(SplitMethod::Halves, 4)},
         {"hierarchy by codes", tree(SplitMethod::Codes, 4)},
         {"hierarchy by bins", tree(SplitMethod::Bins, 16)},
-        {"hierarchy by sweep", tree(SplitMethod::Sweep, 16)}};
+        {"hierarchy by sweep", tree(SplitMethod::Sweep, 16)},
+        {"by bins, with spheres", volumes(sphere_tree)},
+        {"by bins, with turned boxes", volumes(oriented_box_tree)},
+        {"by bins, with ellipsoids", volumes(ellipsoid_tree)}};
 }
 
 volatile Real sink = 0;  // what is measured must not be optimised away
