@@ -150,6 +150,8 @@ rm "$machine/tree/chapters/01_a/y.hpp"
 expect_build "and one that was deleted" yes
 rm "$machine/tree/build/bin/course"
 expect_build "the program itself" yes
+: >"$machine/tree/build/build.ninja"
+expect_build "a build that was configured with other options" yes
 : >"$machine/tree/CMakeLists.txt"
 : >"$machine/broken_build"
 expect "a build that breaks" 1 "no good" tour
