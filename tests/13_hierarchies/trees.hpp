@@ -178,6 +178,14 @@ inline Told is_right(const Hierarchy& tree, std::span<const Bounds> boxes, std::
     return or_say(fault.empty(), fault);
 }
 
+/// The boxes around shapes of one kind, in their order.
+template <class Shape>
+std::vector<Bounds> boxes_of(const std::vector<Shape>& shapes) {
+    std::vector<Bounds> boxes;
+    for (const Shape& shape : shapes) boxes.push_back(bounds_of(shape));
+    return boxes;
+}
+
 /// Boxes of all sizes up to 1 between -10 and 11.
 inline std::vector<Bounds> random_boxes(Random& random, std::size_t count) {
     std::vector<Bounds> boxes;

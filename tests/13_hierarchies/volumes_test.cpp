@@ -10,6 +10,7 @@
 #include "tests/support.hpp"
 
 using namespace rt;
+using rt::test::boxes_of;
 using rt::test::cases;
 using rt::test::near;
 using rt::test::or_say;
@@ -23,13 +24,6 @@ ShapePoints points_of(const std::vector<Shape>& shapes) {
     ShapePoints points;
     for (const Shape& shape : shapes) add_points(points, shape, bounds_of(shape));
     return points;
-}
-
-template <class Shape>
-std::vector<Bounds> boxes_of(const std::vector<Shape>& shapes) {
-    std::vector<Bounds> boxes;
-    for (const Shape& shape : shapes) boxes.push_back(bounds_of(shape));
-    return boxes;
 }
 
 bool is_inside(const BoundingSphere& sphere, const Vec3& p) {
@@ -59,7 +53,7 @@ void check_tree(const MakeTree& make) {
     Random random(1325);
     const std::vector<Triangle> triangles = some_triangles(random, 200);
     const ShapePoints points = points_of(triangles);
-    // Halves need no surface area: only the volumes are in question here.
+    // No method of the chapter made it: only the volumes are in question here.
     const auto boxes = boxes_of(triangles);
     const Hierarchy hierarchy = test::plain_tree(boxes);
     const auto tree = make(hierarchy, points);

@@ -13,13 +13,6 @@ using namespace rt::test;
 
 namespace {
 
-template <class Shape>
-std::vector<Bounds> boxes_of(const std::vector<Shape>& shapes) {
-    std::vector<Bounds> boxes;
-    for (const Shape& shape : shapes) boxes.push_back(bounds_of(shape));
-    return boxes;
-}
-
 /// A ball of small triangles on a large floor.
 std::vector<Triangle> ball_in_stadium() {
     const int n = 24;
