@@ -188,6 +188,9 @@ struct AcceleratorBuilder {
     template <class Shape>
     Accelerator build(const Boxed<Shape>& boxed, bool from_camera) const {
         GridOptions options;
+        const auto hierarchy = [&] {
+            return build_hierarchy(boxed.bounds, {.distortion = boxed.distortion});
+        };
         switch (choice) {
             case AcceleratorChoice::Auto:
                 return cheapest(boxed, from_camera);
@@ -199,16 +202,13 @@ struct AcceleratorBuilder {
             case AcceleratorChoice::Nested:
                 return build_over(boxed, options);
             case AcceleratorChoice::Bvh:
-                return build_hierarchy(boxed.bounds, {.distortion = boxed.distortion});
+                return hierarchy();
             case AcceleratorChoice::Spheres:
-                return sphere_tree(build_hierarchy(boxed.bounds, {.distortion = boxed.distortion}),
-                                   points_of(boxed));
+                return sphere_tree(hierarchy(), points_of(boxed));
             case AcceleratorChoice::OrientedBoxes:
-                return oriented_box_tree(build_hierarchy(boxed.bounds, {.distortion = boxed.distortion}),
-                                         points_of(boxed));
+                return oriented_box_tree(hierarchy(), points_of(boxed));
             case AcceleratorChoice::Ellipsoids:
-                return ellipsoid_tree(build_hierarchy(boxed.bounds, {.distortion = boxed.distortion}),
-                                      points_of(boxed));
+                return ellipsoid_tree(hierarchy(), points_of(boxed));
         }
         return {};
     }
