@@ -68,7 +68,8 @@ std::size_t split_by_sweep(std::span<const Bounds> boxes, std::span<std::uint32_
 
 /// [13.9] The shapes sorted into `count` bins of equal width along axis number `axis`, from the least of
 /// their middles to the greatest: bin number ⌊count · (middle − least) / (greatest − least)⌋, but at most the
-/// last. All are in the first where all middles are equal. Bins without shapes have an empty box.
+/// last. All are in the first where all middles are equal. Bins without shapes have an empty box. `count` is
+/// at least 1.
 std::vector<Bin> bins_along(std::span<const Bounds> boxes, std::span<const std::uint32_t> items, int axis,
                             std::size_t count);
 

@@ -42,16 +42,17 @@ void add_points(ShapePoints& to, const Shape& shape, const Bounds& box) {
 // ---------------------------------------------------------------------------------------- around many points
 
 /// Some of the points, at most 26: those that are farthest out in the directions of the corners, edges and
-/// faces of the box along these axes.
+/// faces of the box along these axes. There must be a point.
 std::vector<Vec3> outermost(std::span<const Vec3> points, const Mat3& axes);
 
 /// A small box around the points: refined from the principal axes by the outermost points, or along the
-/// world's axes where that is as small.
+/// world's axes where that is as small. Empty where there is no point.
 OrientedBox small_box(std::span<const Vec3> points);
 
 /// An ellipsoid around the points whose volume is at most 1.2 times that of the smallest around the outermost
 /// points, where these are all that count. Where points are flat it would have no inside: it is at least so
-/// thick as `thickness`, and as 2^-15 of its longest axis, to both sides of its middle.
+/// thick as `thickness`, and as 2^-15 of its longest axis, to both sides of its middle. There must be a
+/// point, and `thickness` be greater than 0 if all are equal.
 BoundingEllipsoid small_ellipsoid(std::span<const Vec3> points, Real thickness);
 
 // ---------------------------------------------------------------------------------------------------- trees
