@@ -898,6 +898,9 @@ TEST_CASE("the commands of chapters 8, 9 and 13", "[parse]") {
     CHECK(parse("filter gaussian").sampling.filter.radius == 1.5);
     CHECK(parse("accelerator grid").accelerator == AcceleratorChoice::Grid);
     CHECK(parse("accelerator bvh").accelerator == AcceleratorChoice::Bvh);
+    CHECK(parse("accelerator spheres").accelerator == AcceleratorChoice::Spheres);
+    CHECK(parse("accelerator obb").accelerator == AcceleratorChoice::OrientedBoxes);
+    CHECK(parse("accelerator ellipsoids").accelerator == AcceleratorChoice::Ellipsoids);
 
     CHECK(error_of("spp 0") == "s:1:5: the number of samples must be from 1 to 65536, not 0");
     CHECK(error_of("spp 2.5").starts_with("s:1:5: '2.5' is not a whole number"));
