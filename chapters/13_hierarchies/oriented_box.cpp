@@ -31,9 +31,8 @@ Mat3 covariance(std::span<const Vec3> points) {
 }
 
 Mat3 principal_axes(const Mat3& matrix) {
-    // 13.18  Return the axes. Turn about one axis after another, each time so that the element
-    // beside the diagonal that belongs to the other two axes becomes 0. That spoils those that were 0 before,
-    // but less each time: a few rounds are enough.
+    // 13.18  Return the axes, as the columns of a matrix. Turn a copy of the matrix until nothing is left
+    // beside its diagonal but rounding.
     return todo("13.18");
 }
 

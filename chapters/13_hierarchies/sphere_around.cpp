@@ -24,10 +24,8 @@ Vec3 farthest_from(const Vec3& place, std::span<const Vec3> points) {
 /// it. There is one.
 SmallestSphere smallest_with(std::span<Vec3> points, std::vector<Vec3> boundary) {
     SmallestSphere smallest{sphere_through(boundary), boundary};
-    // 13.15  Make `smallest` the sphere around all of the points. Take them one after another. One
-    // that is outside of the sphere around those before it is on the boundary of the sphere that is asked
-    // for. Such a point is moved to the front, because it is likely to be needed again. Four points on the
-    // boundary leave nothing to be chosen.
+    // 13.15  Make `smallest` the sphere around all of the points. Move a point that was outside of
+    // the sphere around those before it to the front, because it is likely to be needed again.
     return todo("13.15");
 }
 
@@ -41,9 +39,7 @@ BoundingSphere sphere_by_ritter(std::span<const Vec3> points) {
 
 BoundingSphere sphere_through(std::span<const Vec3> points) {
     if (points.empty()) return {};
-    // 13.14  Return the sphere. Begin with the first point as the centre; for each further point
-    // move the centre so that it is as far from this as from the first, in a direction that changes nothing
-    // of its distances from those before. Seen from the first point, all numbers are small.
+    // 13.14  Return the sphere. Seen from the first point, all numbers are small.
     return todo("13.14");
 }
 
@@ -65,10 +61,9 @@ SmallestSphere smallest_sphere(std::span<const Vec3> points) {
 
 std::optional<Interval> clip(const BoundingSphere& sphere, const Ray& ray, Interval range) {
     if (sphere.radius < 0) return std::nullopt;
-    // 13.16  Return the part of the range in which the ray is inside. Find its point that is
-    // nearest to the centre, and how far it goes inside from there, both ways. Do so with a radius that is
-    // greater by gamma(40) of the radius and of the distance from the origin to the centre: no rounding here
-    // moves a point by so much.
+    // 13.16  Return the part of the range in which the ray is inside. Take a radius that is greater
+    // by gamma(40) of the radius and of the distance from the origin to the centre: no rounding here moves a
+    // point by so much.
     return todo("13.16");
 }
 

@@ -49,16 +49,15 @@ Real predicted_cost(const Hierarchy& hierarchy, const SplitCosts& costs) {
 }
 
 Cut cheapest_cut(std::span<const Bin> bins, const SplitCosts& costs) {
-    // 13.7  Return the cheapest cut that has a shape on both sides. Two sweeps are enough: one from
-    // the last bin to the first, which notes what the second side costs at each cut, then one from the first
-    // to the last.
+    // 13.7  Return the cheapest cut that has a shape on both sides, in time proportional to the
+    // number of bins.
     return todo("13.7");
 }
 
 std::size_t split_by_sweep(std::span<const Bounds> boxes, std::span<std::uint32_t> items,
                            const SplitCosts& costs) {
-    // 13.8  Along each axis put the items in order by their middles, make a bin of each, and keep
-    // the order and the cut of the cheapest. Return where it is, or 0 if a leaf costs no more.
+    // 13.8  Part the items at the cheapest of all cuts along the three axes. Return how many are in
+    // the first part, or 0 if a leaf costs no more.
     return todo("13.8");
 }
 
@@ -70,8 +69,8 @@ std::vector<Bin> bins_along(std::span<const Bounds> boxes, std::span<const std::
 
 std::size_t split_by_bins(std::span<const Bounds> boxes, std::span<std::uint32_t> items,
                           const SplitCosts& costs) {
-    // 13.10  Find the cheapest cut between bins along all three axes. Put the items of the bins
-    // before it first, and return how many they are, or 0 if a leaf costs no more.
+    // 13.10  Part the items at the cheapest cut between bins along the three axes. Return how many
+    // are in the first part, or 0 if a leaf costs no more.
     return todo("13.10");
 }
 
