@@ -15,10 +15,10 @@ namespace rt {
 /// How the shapes of a node are parted: by 13.3, 13.8, 13.10, or by the codes of 13.12.
 enum class SplitMethod { Halves, Sweep, Bins, Codes };
 
-/// What a hierarchy is to be made like.
+/// How a hierarchy is to be built.
 struct HierarchyOptions {
     SplitMethod method = SplitMethod::Bins;
-    std::size_t most = 16;  ///< shapes in a leaf; more are parted in halves if the method keeps them together
+    std::size_t most = 16;  ///< shapes in a leaf, 0 as 1; more that a method keeps together are halved
     SplitCosts costs{};     ///< what sweep and bins reckon with
     Real distortion = 1;    ///< the greatest of the shapes' transforms: the margin is multiplied by it
 };

@@ -21,10 +21,10 @@ WeightedSpread spread_of(std::span<const Vec3> points, std::span<const Real> wei
 
 /// [13.22] Weights of points, not all of which are in a plane, from which follows the smallest ellipsoid
 /// around them (Khachiyan 1996). With c and S, the mean and the covariance of the points with the weights,
-/// the ellipsoid (p − c)ᵀ S⁻¹ (p − c) <= 3 is no larger than the smallest; and no point has more there than 3
-/// (1 + tolerance), so that by this factor it contains them all. All weights are equal at first. Then that of
-/// the point with the most, m, is raised: all weights are multiplied by 1 − s, and s is added to its own,
-/// with s = (m − 3)/(4 m).
+/// the ellipsoid (p − c)ᵀ S⁻¹ (p − c) <= 3 is no larger than the smallest; and no point has more there than
+/// 3 (1 + tolerance), so that the ellipsoid up to that contains them all; tolerance is greater than 0. All
+/// weights are equal at first. Then that of the point with the most, m, is raised: all weights are
+/// multiplied by 1 − s, and s is added to its own, with s = (m − 3)/(4 m).
 std::vector<Real> ellipsoid_weights(std::span<const Vec3> points, Real tolerance);
 
 /// [13.23] The ellipsoid with the centre c and the shape S of the points with these weights that just

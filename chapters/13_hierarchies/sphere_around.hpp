@@ -33,9 +33,9 @@ struct SmallestSphere {
     std::vector<Vec3> support;
 };
 
-/// [13.15] The smallest sphere around the points (Welzl 1991), with the points that it meets brought to the
-/// front. Its radius is at most 1 + 2^-30 times the smallest, and it contains each point up to rounding: 16u
-/// of the greatest coordinate. The sphere of no points is empty.
+/// [13.15] The smallest sphere around the points (Welzl 1991; points found outside are asked earlier the
+/// next time). Its radius is at most (1 + 2^-30) times the smallest, and it contains each point up to
+/// rounding: 16u of the greatest coordinate. The sphere of no points is empty.
 SmallestSphere smallest_sphere(std::span<const Vec3> points);
 
 /// [13.16] The part of the ray inside the sphere, or nothing if that is empty.

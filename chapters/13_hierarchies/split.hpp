@@ -10,9 +10,9 @@
 
 namespace rt {
 
-// All that part the shapes of a node get the boxes of all shapes, and as `items` the numbers of at least two
-// whose boxes are not empty. They put the items into another order, those of the first child first, and
-// return how many these are; 0 where all had better stay together in a leaf.
+// Functions that part the shapes of a node get the boxes of all shapes, and as `items` the numbers of at
+// least two whose boxes are not empty. They put the items into another order, those of the first child
+// first, and return how many these are; 0 where all had better stay together in a leaf.
 
 /// The middle of a box, which stands for it where boxes are put in order. Given.
 inline Vec3 middle_of(const Bounds& box) { return box.low * Real(0.5) + box.high * Real(0.5); }

@@ -17,7 +17,7 @@
 
 namespace rt {
 
-/// For each shape points that it is between: what contains them all and bulges nowhere inwards contains it.
+/// Points around each shape: a convex volume that contains all of a shape's points contains the shape.
 struct ShapePoints {
     std::vector<Vec3> points;
     std::vector<std::uint32_t> first{0};  ///< shape i has points[first[i]] up to points[first[i + 1]]
@@ -49,10 +49,10 @@ std::vector<Vec3> outermost(std::span<const Vec3> points, const Mat3& axes);
 /// world's axes where that is as small. Empty where there is no point.
 OrientedBox small_box(std::span<const Vec3> points);
 
-/// An ellipsoid around the points whose volume is at most 1.2 times that of the smallest around the outermost
-/// points, where these are all that count. Where points are flat it would have no inside: it is at least so
-/// thick as `thickness`, and as 2^-15 of its longest axis, to both sides of its middle. There must be a
-/// point, and `thickness` be greater than 0 if all are equal.
+/// An ellipsoid around the points, of which there is at least one. Its volume is at most 1.2 times that of
+/// the smallest where the outermost points are all that count. Points in a plane would leave it without an
+/// inside: to both sides of its middle it is at least as thick as `thickness`, which is greater than 0
+/// unless some points are apart, and as 2^-15 of its longest axis.
 BoundingEllipsoid small_ellipsoid(std::span<const Vec3> points, Real thickness);
 
 // ---------------------------------------------------------------------------------------------------- trees
