@@ -6,12 +6,11 @@
 #include "chapters/13_hierarchies/volumes.hpp"
 #include "chapters/13_hierarchies/walk.hpp"
 #include "common/math/random.hpp"
-#include "references/figures.hpp"
+#include "references/costs.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <ctime>
 
 namespace rt::figures {
 
@@ -62,18 +61,6 @@ inline std::vector<Ray> rays_into_cube(std::size_t count, Real size) {
     return rays;
 }
 
-/// The processor's time that an action takes at least, of three times.
-template <class Action>
-double core_seconds_of(const Action& action) {
-    double least = infinity;
-    for (int k = 0; k < 3; ++k) {
-        const std::clock_t start = std::clock();
-        action();
-        least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    }
-    return least;
-}
-
 /// A hierarchy, and all that takes its place.
 struct AllTrees {
     std::vector<Triangle> triangles;
@@ -93,7 +80,7 @@ inline AllTrees all_trees(const std::string& kind, int count) {
                  .oriented = {},
                  .ellipsoids = {}};
     for (const Triangle& t : all.triangles) add_points(all.points, t, bounds_of(t));
-    const auto timed = [&](std::size_t k, const auto& build) { all.seconds[k] = core_seconds_of(build); };
+    const auto timed = [&](std::size_t k, const auto& build) { all.seconds[k] = seconds_of(build); };
     timed(0, [&] { all.boxes = build_hierarchy(all.triangles); });
     timed(1, [&] { all.spheres = sphere_tree(all.boxes, all.points); });
     timed(2, [&] { all.oriented = oriented_box_tree(all.boxes, all.points); });
@@ -174,7 +161,7 @@ inline void draw_tightness(const Path& directory) {
         csv += kinds[k];
         const auto count = [&](std::size_t which, const auto& tree) {
             std::uint64_t met = 0, hit = 0, tests = 0;
-            const double seconds = core_seconds_of([&] {
+            const double seconds = seconds_of([&] {
                 for (const Ray& ray : rays)
                     for (const auto& node : tree.nodes) tests += clip(volume_of(node), ray, {}) ? 1u : 0u;
             });
@@ -254,7 +241,7 @@ inline void draw_trees(const Path& directory) {
             const auto n = static_cast<Real>(rays.size());
             const Vec2 at(static_cast<Real>(search_counts().cells - before.cells) / n,
                           static_cast<Real>(search_counts().shapes - before.shapes) / n);
-            const double seconds = core_seconds_of(search_all);
+            const double seconds = seconds_of(search_all);
             csv += fmt::format("{}: {},{:.1f},{:.2f},{}\n", kind, volume_names[which], at.x, at.y,
                                bytes_of(tree) / all.triangles.size());
             measured += fmt::format("{}: {},{:.2g},{:.3g}\n", kind, volume_names[which],
