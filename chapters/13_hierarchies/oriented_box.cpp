@@ -44,7 +44,8 @@ OrientedBox box_along(const Mat3& axes, std::span<const Vec3> points) {
 }
 
 Real half_area(const OrientedBox& box) {
-    const Vec3 edges = Real(2) * glm::max(box.half, Vec3(0));
+    if (box.half.x < 0 || box.half.y < 0 || box.half.z < 0) return 0;
+    const Vec3 edges = Real(2) * box.half;
     return edges.x * edges.y + edges.y * edges.z + edges.z * edges.x;
 }
 

@@ -24,7 +24,7 @@ Mat3 principal_axes(const Mat3& m);
 /// coordinate. The box of no points is empty.
 OrientedBox box_along(const Mat3& axes, std::span<const Vec3> points);
 
-/// Half the area of the box's surface; 0 of an empty box. Given.
+/// Half the area of the box's surface; 0 of an empty box, one of whose halves is negative. Given.
 Real half_area(const OrientedBox& box);
 
 /// [13.20] Axes along which the box around the points has little surface: those given, turned. First by an
@@ -38,8 +38,8 @@ Mat3 refined_axes(const Mat3& axes, std::span<const Vec3> points);
 ///
 /// It contains every t in [range.min, range.max] whose exact point is in the box, short of over- and
 /// underflow; and it is the part in a box whose halves are greater by less than 2^-45 of `length(half)` and
-/// of the distance from the ray's origin to the centre, but for what 09.2 (`clip`) widens. An empty box is
-/// always missed.
+/// of the distance from the ray's origin to the centre, but for what 09.2 (`clip`) widens. An empty box,
+/// whose halves are −1, is missed from any place less than 2^48 away.
 std::optional<Interval> clip(const OrientedBox& box, const Ray& ray, Interval range);
 
 }  // namespace rt

@@ -38,6 +38,7 @@ VolumeTree<Volume> tree_of(const Hierarchy& hierarchy, const ShapePoints& shapes
     tree.margin = hierarchy.margin;
     tree.reach = hierarchy.reach;
     const std::vector<Part> parts = parts_of(hierarchy);
+    tree.nodes.reserve(parts.size());
     std::vector<Vec3> points;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         points.clear();

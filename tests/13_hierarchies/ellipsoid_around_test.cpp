@@ -226,7 +226,6 @@ TEST_CASE("ellipsoids of turned clouds contain them, and are as small as the wei
             longest = std::max(longest, 1 / length(ellipsoid.to_unit * random.direction()));
         INFO("half its greatest diameter, at least what 50 directions show");
         CHECK(ellipsoid.longest >= longest * (1 - 1e-9));
-        CHECK(ellipsoid.longest <= 2);
     }
 }
 
