@@ -31,8 +31,8 @@ Mat3 covariance(std::span<const Vec3> points) {
 }
 
 Mat3 principal_axes(const Mat3& matrix) {
-    // 13.18  Return the axes, as the columns of a matrix. Turn a copy of the matrix until nothing is left
-    // beside its diagonal but rounding.
+    // 13.18  Return the axes, as the columns of a matrix. Turn a copy of the matrix until nothing
+    // is left beside its diagonal but rounding.
     return todo("13.18");
 }
 

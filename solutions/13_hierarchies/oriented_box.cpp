@@ -38,8 +38,8 @@ Mat3 covariance(std::span<const Vec3> points) {
 }
 
 Mat3 principal_axes(const Mat3& matrix) {
-    // [exercise 13.18] Return the axes, as the columns of a matrix. Turn a copy of the matrix until nothing is left
-    // beside its diagonal but rounding.
+    // [exercise 13.18] Return the axes, as the columns of a matrix. Turn a copy of the matrix until nothing
+    // is left beside its diagonal but rounding.
     Mat3 m = matrix, axes(1);
     for (int round = 0; round < 16; ++round)
         for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {

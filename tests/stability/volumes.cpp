@@ -235,10 +235,9 @@ std::optional<Interval> clip(const BoundingEllipsoid& ellipsoid, const Ray& ray,
 Mat3 covariance(std::span<const Vec3> points) {
     Mat3 products(0);
     Vec3 mean(0);
-    const Real share = 1 / static_cast<Real>(points.size());
-    for (const Vec3& point : points)
-        products += share * glm::outerProduct(point, point), mean += share * point;
-    return products - glm::outerProduct(mean, mean);
+    for (const Vec3& point : points) products += glm::outerProduct(point, point), mean += point;
+    const auto count = static_cast<Real>(points.size());
+    return products / count - glm::outerProduct(mean / count, mean / count);
 }
 
 }  // namespace rt::naive
