@@ -474,8 +474,8 @@ TEST_CASE("compare has a status, JSON in the documented form, and a page") {
     const Outcome outcome = course("compare dot.pfm black.pfm --json --page page.html --diff diff.png");
     CHECK(outcome.status == 1);
     const json object = json::parse(outcome.out);
-    CHECK(keys(object) == Keys{"flip", "height", "max", "mean", "psnr", "rmse", "same", "ssim", "width",
-                               "within", "within16", "worst"});
+    CHECK(keys(object) == Keys{"flip", "height", "max", "mean", "psnr", "rmse", "same", "shown_max", "ssim",
+                               "width", "within", "within16", "worst"});
     CHECK(object["same"] == false);
     CHECK(object["max"] == 1);
     CHECK(object["worst"] == json{{"x", 2}, {"y", 1}});

@@ -282,7 +282,7 @@ TEST_CASE("a grid asks few triangles, ever fewer of them all, and answers as bru
 
 TEST_CASE("hierarchies answer as brute force does, and lines pay what is predicted") {
     const std::vector<SearchPoint> points = measure_searches({2e4, 2'000, 1e7, 1});
-    REQUIRE(points.size() == 4 * 7);
+    REQUIRE(points.size() == 4 * 10);
     const auto at = [&](const char* scene, const char* way) {
         for (const SearchPoint& point : points)
             if (point.scene == scene && point.way == way) return point;
