@@ -34,7 +34,7 @@ struct SmallestSphere {
 };
 
 /// [13.15] The smallest sphere around the points (Welzl 1991; points found outside are asked earlier the
-/// next time). Its radius is at most (1 + 2^-30) times the smallest, and it contains each point up to
+/// next time). Its radius is at most (1 + 2^-24) times the smallest, and it contains each point up to
 /// rounding: 16u of the greatest coordinate. The sphere of no points is empty.
 SmallestSphere smallest_sphere(std::span<const Vec3> points);
 

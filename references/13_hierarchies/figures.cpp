@@ -478,7 +478,7 @@ void draw_growth(const Path& directory) {
         for (const auto& [method, curve] :
              {std::pair{SplitMethod::Halves, &halves_curve}, {SplitMethod::Bins, &bins_curve}}) {
             Hierarchy tree;
-            build.push_back(seconds_of([&] { tree = built(boxes_of(triangles), method); }));
+            build.push_back(seconds_of([&, by = method] { tree = built(boxes_of(triangles), by); }));
             ns.push_back(ns_a_ray(tree));
             curve->push_back(counts(tree));
         }

@@ -226,8 +226,8 @@ inline void draw_trees(const Path& directory) {
         dot_at(svg, {530, 60 + 28 * static_cast<Real>(which)}, volume_colors[which], 6);
         text(svg, {545, 65 + 28 * static_cast<Real>(which)}, volume_names[which], small);
     }
-    for (const auto& [kind, size, words] :
-         {std::tuple{"ring", 2.5, "ring"}, {"soup", 1.0, "soup"}, {"needles", 1.0, "needles"}}) {
+    for (const auto& [kind, size] : {std::pair{"ring", 2.5}, {"soup", 1.0}, {"needles", 1.0}}) {
+        const std::string name = kind;  // clang++ 14 lets no lambda use `kind` itself
         const AllTrees all = all_trees(kind, 12800);
         const std::vector<Ray> rays = rays_into_cube(4000, size);
         std::size_t which = 0;
@@ -242,13 +242,13 @@ inline void draw_trees(const Path& directory) {
             const Vec2 at(static_cast<Real>(search_counts().cells - before.cells) / n,
                           static_cast<Real>(search_counts().shapes - before.shapes) / n);
             const double seconds = seconds_of(search_all);
-            csv += fmt::format("{}: {},{:.1f},{:.2f},{}\n", kind, volume_names[which], at.x, at.y,
+            csv += fmt::format("{}: {},{:.1f},{:.2f},{}\n", name, volume_names[which], at.x, at.y,
                                bytes_of(tree) / all.triangles.size());
-            measured += fmt::format("{}: {},{:.2g},{:.3g}\n", kind, volume_names[which],
+            measured += fmt::format("{}: {},{:.2g},{:.3g}\n", name, volume_names[which],
                                     1e3 * all.seconds[which], 1e9 * seconds / n);
             dot_at(svg, plot.place(at.x, std::max(at.y, Real(1))), volume_colors[which], 6);
             if (which == 0)
-                text(svg, plot.place(at.x, std::max(at.y, Real(1))) + Vec2(-14, 5), words,
+                text(svg, plot.place(at.x, std::max(at.y, Real(1))) + Vec2(-14, 5), name,
                      anchored(note, "end"));
             ++which;
         };

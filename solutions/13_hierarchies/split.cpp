@@ -143,11 +143,11 @@ std::size_t split_by_bins(std::span<const Bounds> boxes, std::span<std::uint32_t
     }
     if (!(best.cost < costs.shape * static_cast<Real>(items.size()))) return 0;
     const Bounds middles = bounds_of_middles(boxes, items);
-    const auto second = std::ranges::partition(items, [&](std::uint32_t i) {
+    const auto second = std::partition(items.begin(), items.end(), [&](std::uint32_t i) {
         const Real middle = middle_of(boxes[i])[axis];
         return bin_at(middle, middles.low[axis], middles.high[axis], bins_an_axis) < best.at;
     });
-    return items.size() - second.size();
+    return static_cast<std::size_t>(second - items.begin());
     // [/exercise]
 }
 

@@ -29,7 +29,8 @@ class Terminal:
         self.process, self.descriptor = pty.fork()
         if self.process == 0:
             os.environ.update({"TERM": "xterm", "NO_COLOR": "1"})
-            signal.signal(signal.SIGINT, signal.SIG_DFL)  # as in a terminal, also where the tests run in the background
+            for number in (signal.SIGINT, signal.SIGHUP):  # as in a terminal, also where the tests run in the background
+                signal.signal(number, signal.SIG_DFL)
             os.execv("build/bin/course", ["course", "check", *arguments])
         self.resize(24, 80)
         self.screen = ""
